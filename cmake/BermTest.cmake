@@ -1,0 +1,10 @@
+include(GoogleTest)
+
+# berm_test(NAME SOURCES ... LINK targets...): one test program per module, one ctest entry per test case.
+function(berm_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE berm_options ${ARG_LINK} GTest::gmock GTest::gtest_main rapidcheck)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

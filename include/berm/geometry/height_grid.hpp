@@ -1,0 +1,7 @@
+#pragma once
+
+namespace berm {
+
+class HeightGrid {};
+
+}  // namespace berm
