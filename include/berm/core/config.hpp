@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace berm {
 
@@ -12,6 +14,16 @@ struct Range {
   double max = 0.0;
 };
 
+/// The names that a text key may take.
+struct Choices {
+  std::vector<std::string_view> names;
+};
+
+/// Free text up to a length, on one line.
+struct TextLimit {
+  std::size_t max_length = 0;
+};
+
 /// A configuration is a plain struct with defaults that lists its fields once, for everything that needs them
 /// (checking, reading YAML, `--set`, printing):
 ///
@@ -19,15 +31,22 @@ struct Range {
 ///     double min_range_m = 10.0;
 ///
 ///     static void fields(auto&& field) {
-///       field("min_range_m", &SlopeConfig::min_range_m, Range{0.0, 200.0}, "nearest point that counts (P section 2.2)");
+///       field("min_range_m", &SlopeConfig::min_range_m, Range{0.0, 200.0}, "nearest point that counts (P
+///       section 2.2)");
 ///     }
 ///     void check() const { check_fields(*this, "slope"); }
 ///   };
 ///
-/// Fields are double, int or bool; a bool takes no range: `field(name, member, text)`.
+/// Fields are double or int with a Range, std::string with Choices or a TextLimit, or bool, which takes neither:
+/// `field(name, member, text)`.
 
-/// Throws ConfigError naming `section.key`, the value and the range, if `value` is not finite or outside `range`.
-void check_value(std::string_view section, std::string_view key, double value, const Range& range);
+/// What is wrong with `value`, and what is allowed; empty if nothing is. NaN and infinities are always wrong.
+[[nodiscard]] std::string find_problem(double value, const Range& range);
+[[nodiscard]] std::string find_problem(std::string_view value, const Choices& choices);
+[[nodiscard]] std::string find_problem(std::string_view value, const TextLimit& limit);
+
+/// Throws ConfigError naming `section.key` and `problem` unless `problem` is empty.
+void check_problem(std::string_view section, std::string_view key, const std::string& problem);
 
 namespace detail {
 
@@ -38,7 +57,15 @@ struct FieldChecker {
 
   template <typename Value>
   void operator()(std::string_view key, Value Config::*member, const Range& range, std::string_view /*text*/) const {
-    check_value(section, key, static_cast<double>(config.*member), range);
+    check_problem(section, key, find_problem(static_cast<double>(config.*member), range));
+  }
+  void operator()(std::string_view key, std::string Config::*member, const Choices& choices,
+                  std::string_view /*text*/) const {
+    check_problem(section, key, find_problem(config.*member, choices));
+  }
+  void operator()(std::string_view key, std::string Config::*member, const TextLimit& limit,
+                  std::string_view /*text*/) const {
+    check_problem(section, key, find_problem(config.*member, limit));
   }
   void operator()(std::string_view /*key*/, bool Config::* /*member*/, std::string_view /*text*/) const {}
 };

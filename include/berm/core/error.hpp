@@ -48,12 +48,16 @@ class FileError : public Error {
 /// A configuration value that cannot be used: says which key, what it was and what is allowed.
 class ConfigError : public Error {
  public:
-  ConfigError(std::string key, const std::string& problem);
+  ConfigError(std::string key, std::string problem);
+  /// `where` is the file and line, or the argument, that the value came from.
+  ConfigError(const std::string& where, std::string key, std::string problem);
 
   [[nodiscard]] const std::string& key() const noexcept { return key_; }
+  [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
 
  private:
   std::string key_;
+  std::string problem_;
 };
 
 }  // namespace berm
