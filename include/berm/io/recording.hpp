@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "berm/core/scan.hpp"
+#include "berm/core/stamp.hpp"
+#include "berm/core/trajectory.hpp"
+#include "berm/io/scan_record.hpp"
+
+namespace berm {
+
+/// How the files of a recording lie on disk (docs/formats.md).
+enum class RecordingLayout : std::uint8_t {
+  sequence,     ///< FOLDER/scans/NNNNNN.pcd
+  kitti,        ///< FOLDER/velodyne/NNNNNN.bin
+  pcd_folder,   ///< FOLDER/*.pcd
+  bin_folder,   ///< FOLDER/*.bin
+  single_file,  ///< one .pcd or .bin
+};
+[[nodiscard]] std::string_view to_string(RecordingLayout layout);
+
+/// Where the stamps of a recording come from.
+enum class StampSource : std::uint8_t {
+  times_file,    ///< times.txt
+  scan_files,    ///< every scan file holds absolute time
+  assumed_rate,  ///< nothing says: first scan at 0, `scan_hz` of sequence.json or else 10 Hz
+};
+[[nodiscard]] std::string_view to_string(StampSource source);
+
+/// One scan of a recording, before it is read.
+struct ScanEntry {
+  std::string name;  ///< the file's stem, "000123"; no two scans of a recording share one
+  std::filesystem::path file;
+  std::optional<std::filesystem::path> truth_labels;  ///< labels/NAME.label, where it exists
+  /// Start of the scan. With StampSource::scan_files an estimate between the first and the last scan; the true one is
+  /// in `Scan::stamp_ns` after reading, since only the file knows it.
+  Stamp stamp_ns = 0;
+};
+
+/// What sequence.json says about the sensor; everything is optional.
+struct SensorSheet {
+  std::optional<std::string> sensor;  ///< "sensor": a name
+  std::optional<double> height_m;     ///< "sensor_height_m", above base_link
+  std::optional<double> pitch_rad;    ///< "sensor_pitch_deg", positive: nose down
+  std::optional<double> scan_hz;      ///< "scan_hz"
+};
+
+/// Whose motion a file of poses describes.
+enum class PoseOf : std::uint8_t {
+  base,    ///< T_world_base (gnss.tum)
+  sensor,  ///< T_world_sensor (poses.txt of KITTI); T_world_base = T_world_sensor * T_base_sensor.inverse()
+};
+
+/// Poses that come with a recording; the world frame is that of the file.
+struct GivenPoses {
+  Trajectory trajectory;
+  PoseOf of = PoseOf::base;
+  std::filesystem::path file;
+};
+
+/// A recording on disk. `open` lists the files and looks into the first scans; scans are read one by one on demand, so
+/// that memory does not grow with the recording. All const functions may be called from several threads at once.
+class Recording {
+ public:
+  /// Opens a folder or a single file. Throws FileError: not there, unreadable, no scans in it, a sidecar file that
+  /// contradicts the scans (times.txt of another length or running backwards, sequence.json of wrong types).
+  [[nodiscard]] static Recording open(const std::filesystem::path& path);
+
+  [[nodiscard]] RecordingLayout layout() const { return layout_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::size_t size() const { return files_.size(); }
+
+  /// Throws Error(invalid_argument) for an index outside [0, size).
+  [[nodiscard]] ScanEntry scan(std::size_t index) const;
+
+  /// Reads one scan into `scan`: sets its stamp and cloud, leaves `T_base_sensor` to the caller and reuses the memory
+  /// of the cloud. Throws FileError if the file is missing or broken; `scan` then holds no points. Stamps of
+  /// consecutive scans strictly increase unless they come from the scan files, where a broken file can break the order.
+  void read(std::size_t index, Scan& scan) const;
+
+  /// The same with what the file says about itself: names of fields, notes, absolute time.
+  [[nodiscard]] ScanRecord read_record(std::size_t index, PointChannels reuse = {}) const;
+
+  [[nodiscard]] StampSource stamp_source() const { return stamp_source_; }
+  [[nodiscard]] const SensorSheet& sheet() const { return sheet_; }
+
+  /// What was assumed or is odd, one sentence each: "no times.txt: 10 Hz assumed".
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+  /// Poses that a machine had on board: gnss.tum, else KITTI's poses.txt moved from the left camera to the LiDAR by
+  /// calib.txt; none without them. Reads the file at every call. Throws FileError.
+  [[nodiscard]] std::optional<GivenPoses> read_given_poses() const;
+
+  /// Truth: truth.tum, T_world_base; none without it. Reads the file at every call. Throws FileError.
+  [[nodiscard]] std::optional<Trajectory> read_truth_poses() const;
+
+ private:
+  /// Kept small, since a recording can have 10^5 of them: full paths are put together on demand.
+  struct File {
+    std::string filename;
+    bool has_labels = false;
+    Stamp stamp_ns = 0;
+  };
+
+  Recording() = default;
+  friend class RecordingOpener;
+
+  RecordingLayout layout_ = RecordingLayout::single_file;
+  std::filesystem::path path_;
+  std::filesystem::path scan_folder_;
+  std::vector<File> files_;
+  StampSource stamp_source_ = StampSource::assumed_rate;
+  bool intensity_is_unit_ = false;  ///< .bin files hold 0..1
+  std::optional<std::filesystem::path> given_poses_file_;
+  std::optional<std::filesystem::path> truth_poses_file_;
+  SensorSheet sheet_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace berm
