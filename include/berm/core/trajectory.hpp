@@ -17,6 +17,9 @@ struct StampedPose {
 /// Poses over time; stamps strictly increase.
 class Trajectory {
  public:
+  /// Makes room for `count` poses, so that appending them needs no second copy.
+  void reserve(std::size_t count) { poses_.reserve(count); }
+
   /// Throws Error(invalid_argument) unless `stamp_ns` is later than every stamp so far.
   void append(Stamp stamp_ns, const Pose& T_world_base);
 

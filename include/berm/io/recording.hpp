@@ -12,6 +12,7 @@
 #include "berm/core/stamp.hpp"
 #include "berm/core/trajectory.hpp"
 #include "berm/io/scan_record.hpp"
+#include "berm/io/sensor_sheet.hpp"
 
 namespace berm {
 
@@ -41,14 +42,6 @@ struct ScanEntry {
   /// Start of the scan. With StampSource::scan_files an estimate between the first and the last scan; the true one is
   /// in `Scan::stamp_ns` after reading, since only the file knows it.
   Stamp stamp_ns = 0;
-};
-
-/// What sequence.json says about the sensor; everything is optional.
-struct SensorSheet {
-  std::optional<std::string> sensor;  ///< "sensor": a name
-  std::optional<double> height_m;     ///< "sensor_height_m", above base_link
-  std::optional<double> pitch_rad;    ///< "sensor_pitch_deg", positive: nose down
-  std::optional<double> scan_hz;      ///< "scan_hz"
 };
 
 /// Whose motion a file of poses describes.

@@ -1,0 +1,91 @@
+#include "berm/io/sensor_sheet.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "berm/core/config.hpp"
+#include "berm/core/error.hpp"
+#include "berm/io/file_reader.hpp"
+
+namespace berm {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20U;
+constexpr int kMaxDepth = 16;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+Json parse_bounded(std::string_view text, const std::string& name) {
+  const auto check_depth = [&](int depth, Json::parse_event_t /*event*/, Json& /*parsed*/) {
+    if (depth > kMaxDepth) {
+      throw FileError(ErrorCode::malformed, name, std::nullopt,
+                      "nested deeper than " + std::to_string(kMaxDepth) + " levels, expected a flat object");
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text, check_depth);
+  } catch (const Json::parse_error& error) {
+    // Counts bytes from 1.
+    throw FileError(ErrorCode::malformed, name, error.byte > 0 ? error.byte - 1 : 0, "this is no JSON");
+  } catch (const Json::exception& error) {
+    throw FileError(ErrorCode::malformed, name, std::nullopt, error.what());
+  }
+}
+
+double number_in(const Json& value, const std::string& key, const Range& range, const std::string& name) {
+  const std::string expected = ", expected a number from " + Json(range.min).dump() + " to " + Json(range.max).dump();
+  if (!value.is_number()) {
+    throw FileError(ErrorCode::malformed, name, std::nullopt, "'" + key + "' is a " + value.type_name() + expected);
+  }
+  const auto number = value.get<double>();
+  if (!(number >= range.min && number <= range.max)) {
+    throw FileError(ErrorCode::malformed, name, std::nullopt, "'" + key + "' is " + value.dump() + expected);
+  }
+  return number;
+}
+
+std::string text_of(const Json& value, const std::string& key, const std::string& name) {
+  if (!value.is_string()) {
+    throw FileError(ErrorCode::malformed, name, std::nullopt,
+                    "'" + key + "' is a " + value.type_name() + ", expected a text");
+  }
+  return value.get<std::string>();
+}
+
+}  // namespace
+
+SensorSheet read_sensor_sheet(const std::filesystem::path& path) {
+  FileBuffer buffer;
+  (void)read_file(path, buffer, kMaxBytes);
+  return parse_sensor_sheet(buffer.text(), path.string());
+}
+
+SensorSheet parse_sensor_sheet(std::string_view text, const std::string& name) {
+  const Json json = parse_bounded(text, name);
+  if (!json.is_object()) {
+    throw FileError(ErrorCode::malformed, name, std::nullopt, "expected a JSON object such as {\"scan_hz\": 10}");
+  }
+  SensorSheet sheet;
+  // Keys of an object come in sorted order.
+  for (const auto& [key, value] : json.items()) {
+    if (key == "sensor") {
+      sheet.sensor = text_of(value, key, name);
+    } else if (key == "sensor_height_m") {
+      sheet.height_m = number_in(value, key, {0.0, 100.0}, name);
+    } else if (key == "sensor_pitch_deg") {
+      sheet.pitch_rad = number_in(value, key, {-90.0, 90.0}, name) * kRadiansPerDegree;
+    } else if (key == "scan_hz") {
+      sheet.scan_hz = number_in(value, key, {0.01, 1000.0}, name);
+    } else {
+      sheet.unknown_keys.push_back(key);
+    }
+  }
+  return sheet;
+}
+
+}  // namespace berm
