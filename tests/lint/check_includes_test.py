@@ -79,6 +79,14 @@ class CheckIncludes(unittest.TestCase):
         self.assertEqual(len(problems), 1)
         self.assertIn("extra", problems[0])
 
+    def test_documentation_shows_the_same_table(self):
+        rows = {}
+        for line in (ROOT / "docs/design.md").read_text(encoding="utf-8").splitlines():
+            cells = [cell.strip() for cell in line.strip("|").split("|")]
+            if len(cells) == 3 and cells[0] in check_includes.TABLE:
+                rows[cells[0]] = set() if cells[2] == "-" else set(cells[2].split(", "))
+        self.assertEqual(rows, check_includes.TABLE)
+
 
 if __name__ == "__main__":
     unittest.main()
