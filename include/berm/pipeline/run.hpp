@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "berm/io/recording.hpp"
+#include "berm/pipeline/machine.hpp"
+
+namespace berm {
+
+struct RunOptions {
+  std::filesystem::path output;
+  bool force = false;                  ///< replace the results of an earlier run in `output`
+  std::size_t threads = 1;             ///< scans that are worked on at a time; the results do not depend on it
+  std::size_t first = 0;               ///< index of the first scan
+  std::optional<std::size_t> count;    ///< number of scans; none: up to the last
+  std::filesystem::path machine_file;  ///< for run.json; empty if the machine comes from no file
+  std::vector<std::string> notes;      ///< to be kept in run.json beside those of the run
+
+  /// Called on the calling thread after every scan with the number of scans done and their total.
+  std::function<void(std::size_t, std::size_t)> on_progress;
+  /// Asked after every scan; true ends the run early.
+  std::function<bool()> should_stop;
+};
+
+/// A scan that gave no labels.
+struct SkippedScan {
+  std::string name;
+  std::string reason;
+};
+
+struct RunCounts {
+  std::size_t selected = 0;      ///< scans that were asked for
+  std::size_t labelled = 0;      ///< scans whose labels were written
+  std::size_t skipped = 0;       ///< scans that could not be read
+  std::size_t without_pose = 0;  ///< labelled scans without a line in trajectory.tum, where the recording has poses
+  std::uint64_t points = 0;
+  std::uint64_t drivable = 0;
+  std::uint64_t obstacle = 0;
+  std::uint64_t no_return = 0;
+  std::uint64_t invalid = 0;  ///< NaN or absurdly far
+};
+
+struct RunSummary {
+  RunCounts counts;
+  std::vector<SkippedScan> skipped;  ///< the first `kListedSkips`
+  std::vector<std::string> notes;
+  bool interrupted = false;  ///< `should_stop` ended it: run.json was not written
+
+  static constexpr std::size_t kListedSkips = 1000;
+};
+
+/// Takes a recording through the chain and writes the files of a run (docs/command_line.md): labels, trajectory, and
+/// run.json last. A scan that cannot be read is skipped and counted. Same recording and machine, same bytes, but for
+/// the times in run.json.
+///
+/// Throws Error: invalid_argument if `first` and `count` select nothing, exists or write_failed for the output, the
+/// first scan's error if no scan at all can be read; ConfigError as `Machine::check`.
+[[nodiscard]] RunSummary run(const Recording& recording, const Machine& machine, const RunOptions& options);
+
+}  // namespace berm

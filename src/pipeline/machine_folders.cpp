@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <system_error>
+
+#include "berm/core/error.hpp"
+#include "berm/pipeline/machine.hpp"
+#include "closest_name.hpp"
+
+namespace berm {
+
+std::vector<std::filesystem::path> machine_folders() {
+  std::vector<std::filesystem::path> folders = {"machines"};
+  std::error_code code;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", code);
+  if (!code) {
+    const std::filesystem::path folder = program.parent_path();
+    folders.push_back(folder / "share/berm/machines");
+    folders.push_back(folder.parent_path() / "share/berm/machines");
+  }
+  return folders;
+}
+
+std::vector<std::string> list_machines(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> names;
+  for (const auto& folder : folders) {
+    std::error_code code;
+    for (std::filesystem::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+      if (entry->path().extension() == ".yaml") {
+        names.push_back(entry->path().stem().string());
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::filesystem::path find_machine(const std::string& name_or_file, const std::vector<std::filesystem::path>& folders) {
+  const std::filesystem::path file(name_or_file);
+  if (name_or_file.find('/') != std::string::npos || file.extension() == ".yaml" || file.extension() == ".yml") {
+    return file;
+  }
+  for (const auto& folder : folders) {
+    const std::filesystem::path candidate = folder / (name_or_file + ".yaml");
+    std::error_code code;
+    if (std::filesystem::exists(candidate, code)) {
+      return candidate;
+    }
+  }
+  const auto names = list_machines(folders);
+  std::string problem = "unknown machine '" + name_or_file + "'" + did_you_mean(name_or_file, names);
+  problem += names.empty() ? " No machine files were found in " + enumerate([&] {
+                               std::vector<std::string> searched;
+                               for (const auto& folder : folders) {
+                                 searched.push_back(folder.string());
+                               }
+                               return searched;
+                             }())
+                           : " Known: " + enumerate(names);
+  throw ConfigError("--machine", problem + "; or name a file that ends in .yaml");
+}
+
+}  // namespace berm

@@ -1,0 +1,9 @@
+#include "berm/pipeline/version.hpp"
+
+namespace berm {
+
+std::string_view version() {
+  return BERM_VERSION;
+}
+
+}  // namespace berm
