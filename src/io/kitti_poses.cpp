@@ -36,9 +36,9 @@ Pose parse_pose(const LineReader& lines, std::string_view line) {
   return Pose::from_matrix(matrix);
 }
 
-std::vector<Pose> read_kitti_poses(LineReader& lines, std::uintmax_t bytes) {
+std::vector<Pose> read_kitti_poses(LineReader& lines) {
   std::vector<Pose> poses;
-  poses.reserve(bytes / kMinLineBytes);
+  poses.reserve(lines.bytes() / kMinLineBytes);
   std::string_view line;
   while (lines.next(line)) {
     poses.push_back(parse_pose(lines, line));
@@ -74,12 +74,12 @@ Pose read_calibration(LineReader& lines, const std::string& name) {
 
 std::vector<Pose> read_kitti_poses(const std::filesystem::path& path) {
   LineReader lines(path);
-  return read_kitti_poses(lines, std::filesystem::file_size(path));
+  return read_kitti_poses(lines);
 }
 
 std::vector<Pose> read_kitti_poses(std::istream& input, const std::string& name) {
   LineReader lines(input, name);
-  return read_kitti_poses(lines, 0);
+  return read_kitti_poses(lines);
 }
 
 void write_kitti_poses(const std::filesystem::path& path, std::span<const Pose> poses) {

@@ -35,7 +35,11 @@ std::unique_ptr<std::istream> open_text(const std::filesystem::path& file) {
 LineReader::LineReader(std::istream& input, std::string name) : input_(&input), name_(std::move(name)) {}
 
 LineReader::LineReader(const std::filesystem::path& file)
-    : owned_(open_text(file)), input_(owned_.get()), name_(file.string()) {}
+    : owned_(open_text(file)), input_(owned_.get()), name_(file.string()) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  bytes_ = error ? 0 : bytes;
+}
 
 bool LineReader::next(std::string_view& line) {
   while (read_line()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <istream>
 #include <memory>
@@ -31,6 +32,9 @@ class LineReader {
   /// Splits `line` at blanks and reads all of it as exactly `values.size()` finite numbers; `what` names the columns.
   void parse_numbers(std::string_view line, std::string_view what, std::span<double> values) const;
 
+  /// Size of the file at opening; 0 where unknown, as for a stream.
+  [[nodiscard]] std::uintmax_t bytes() const { return bytes_; }
+
   /// A FileError that names the current line.
   [[nodiscard]] FileError error(const std::string& problem) const;
 
@@ -42,6 +46,7 @@ class LineReader {
   std::istream* input_;
   std::string name_;
   std::string buffer_;
+  std::uintmax_t bytes_ = 0;
   std::size_t line_number_ = 0;
 };
 

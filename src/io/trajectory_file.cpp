@@ -47,9 +47,9 @@ StampedPose parse_tum_line(const LineReader& lines, std::string_view line) {
   return {*stamp, Pose(rotation, position_m)};
 }
 
-Trajectory read_tum(LineReader& lines, std::uintmax_t bytes) {
+Trajectory read_tum(LineReader& lines) {
   Trajectory trajectory;
-  trajectory.reserve(bytes / kMinLineBytes);
+  trajectory.reserve(lines.bytes() / kMinLineBytes);
   std::string_view line;
   while (lines.next(line)) {
     const StampedPose pose = parse_tum_line(lines, line);
@@ -82,12 +82,12 @@ void append_tum_line(std::string& text, const StampedPose& pose) {
 
 Trajectory read_tum(const std::filesystem::path& path) {
   LineReader lines(path);
-  return read_tum(lines, std::filesystem::file_size(path));
+  return read_tum(lines);
 }
 
 Trajectory read_tum(std::istream& input, const std::string& name) {
   LineReader lines(input, name);
-  return read_tum(lines, 0);
+  return read_tum(lines);
 }
 
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {

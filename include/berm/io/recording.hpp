@@ -11,6 +11,7 @@
 #include "berm/core/scan.hpp"
 #include "berm/core/stamp.hpp"
 #include "berm/core/trajectory.hpp"
+#include "berm/io/kitti_bin.hpp"
 #include "berm/io/scan_record.hpp"
 #include "berm/io/sensor_sheet.hpp"
 
@@ -67,7 +68,7 @@ class Recording {
 
   [[nodiscard]] RecordingLayout layout() const { return layout_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::size_t size() const { return files_.size(); }
+  [[nodiscard]] std::size_t size() const { return names_.size(); }
 
   /// Throws Error(invalid_argument) for an index outside [0, size).
   [[nodiscard]] ScanEntry scan(std::size_t index) const;
@@ -94,23 +95,23 @@ class Recording {
   [[nodiscard]] std::optional<Trajectory> read_truth_poses() const;
 
  private:
-  /// Kept small, since a recording can have 10^5 of them: full paths are put together on demand.
-  struct File {
-    std::string filename;
-    bool has_labels = false;
-    Stamp stamp_ns = 0;
-  };
-
   Recording() = default;
   friend class RecordingOpener;
+
+  [[nodiscard]] std::filesystem::path file(std::size_t index) const;
 
   RecordingLayout layout_ = RecordingLayout::single_file;
   std::filesystem::path path_;
   std::filesystem::path scan_folder_;
-  std::vector<File> files_;
+  std::string extension_;  ///< of all scans, ".pcd" or ".bin"
+  /// All that is kept per scan, since a recording can have 10^5 of them: full paths are put together on demand.
+  std::vector<std::string> names_;
+  std::vector<Stamp> stamps_ns_;
+  std::vector<bool> has_labels_;
   StampSource stamp_source_ = StampSource::assumed_rate;
-  bool intensity_is_unit_ = false;  ///< .bin files hold 0..1
+  IntensityScale intensity_scale_ = IntensityScale::byte;  ///< of .bin files
   std::optional<std::filesystem::path> given_poses_file_;
+  std::optional<std::filesystem::path> calibration_file_;  ///< where `given_poses_file_` is poses.txt
   std::optional<std::filesystem::path> truth_poses_file_;
   SensorSheet sheet_;
   std::vector<std::string> notes_;
