@@ -1,10 +1,5 @@
 #include "berm/io/atomic_file.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <optional>
@@ -12,6 +7,11 @@
 #include <string>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "berm/core/error.hpp"
 
@@ -114,7 +114,9 @@ void AtomicFile::open_temporary() {
   fail("cannot create a temporary file beside it", errno);
 }
 
-void AtomicFile::write(std::string_view text) { write(std::as_bytes(std::span(text))); }
+void AtomicFile::write(std::string_view text) {
+  write(std::as_bytes(std::span(text)));
+}
 
 void AtomicFile::write(std::span<const std::byte> bytes) {
   if (pending_.size() + bytes.size() > kGatheredBytes) {

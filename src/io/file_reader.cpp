@@ -1,10 +1,5 @@
 #include "berm/io/file_reader.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <limits>
 #include <new>
@@ -12,19 +7,40 @@
 #include <string>
 #include <system_error>
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "berm/core/error.hpp"
 
 namespace berm {
 namespace {
 
+[[noreturn]] void fail(ErrorCode code, const std::filesystem::path& path, const std::string& problem) {
+  throw FileError(code, path.string(), std::nullopt, problem);
+}
+
+std::string describe(int system_error) {
+  return std::generic_category().message(system_error);
+}
+
+/// Opens on construction, closes on destruction.
 class Descriptor {
  public:
-  explicit Descriptor(int value) : value_(value) {}
-  ~Descriptor() {
+  explicit Descriptor(const std::filesystem::path& path)
+      // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
+      : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
     if (value_ >= 0) {
-      ::close(value_);
+      return;
     }
+    const int system_error = errno;
+    if (system_error == ENOENT || system_error == ENOTDIR) {
+      fail(ErrorCode::not_found, path, "there is no such file; check the path");
+    }
+    fail(ErrorCode::unreadable, path, "cannot be opened: " + describe(system_error));
   }
+  ~Descriptor() { ::close(value_); }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   [[nodiscard]] int get() const { return value_; }
@@ -32,25 +48,6 @@ class Descriptor {
  private:
   int value_;
 };
-
-[[noreturn]] void fail(ErrorCode code, const std::filesystem::path& path, const std::string& problem) {
-  throw FileError(code, path.string(), std::nullopt, problem);
-}
-
-std::string describe(int system_error) { return std::generic_category().message(system_error); }
-
-Descriptor open_for_reading(const std::filesystem::path& path) {
-  // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
-  Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-  if (descriptor.get() < 0) {
-    const int system_error = errno;
-    if (system_error == ENOENT || system_error == ENOTDIR) {
-      fail(ErrorCode::not_found, path, "there is no such file; check the path");
-    }
-    fail(ErrorCode::unreadable, path, "cannot be opened: " + describe(system_error));
-  }
-  return descriptor;
-}
 
 std::uint64_t regular_size(const Descriptor& descriptor, const std::filesystem::path& path) {
   struct stat status {};
@@ -77,9 +74,9 @@ void fill(const Descriptor& descriptor, std::span<std::byte> target, const std::
       throw FileError(ErrorCode::unreadable, path.string(), done, "cannot be read: " + describe(errno));
     }
     if (got == 0) {
-      throw FileError(ErrorCode::truncated, path.string(), done,
-                      fmt::format("ends here although the system announced {} bytes; is it still being written?",
-                                  target.size()));
+      throw FileError(
+          ErrorCode::truncated, path.string(), done,
+          fmt::format("ends here although the system announced {} bytes; is it still being written?", target.size()));
     }
     done += static_cast<std::size_t>(got);
   }
@@ -87,7 +84,9 @@ void fill(const Descriptor& descriptor, std::span<std::byte> target, const std::
 
 }  // namespace
 
-std::string_view FileBuffer::text() const { return {reinterpret_cast<const char*>(memory_.get()), size_}; }
+std::string_view FileBuffer::text() const {
+  return {reinterpret_cast<const char*>(memory_.get()), size_};
+}
 
 std::span<std::byte> FileBuffer::prepare(std::size_t size) {
   if (size > capacity_) {
@@ -102,7 +101,7 @@ std::span<std::byte> FileBuffer::prepare(std::size_t size) {
 }
 
 std::span<const std::byte> read_file(const std::filesystem::path& path, FileBuffer& buffer, std::uint64_t max_bytes) {
-  const Descriptor descriptor = open_for_reading(path);
+  const Descriptor descriptor(path);
   const std::uint64_t size = regular_size(descriptor, path);
   if (size > max_bytes || size > std::numeric_limits<std::ptrdiff_t>::max()) {
     fail(ErrorCode::unsupported, path,

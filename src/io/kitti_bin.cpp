@@ -1,10 +1,10 @@
 #include "berm/io/kitti_bin.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "berm/core/error.hpp"
 #include "berm/io/atomic_file.hpp"
@@ -35,10 +35,11 @@ std::optional<IntensityScale> recognise_intensity_scale(std::span<const float> i
 ScanRecord parse_kitti_bin(std::span<const std::byte> bytes, const std::string& name, IntensityScale scale,
                            PointChannels reuse) {
   if (bytes.size() % kPointBytes != 0) {
-    throw FileError(ErrorCode::truncated, name, bytes.size() - bytes.size() % kPointBytes,
-                    fmt::format("{} bytes left for a point of 16 (x y z intensity as f32): the file is cut, or it is no "
-                                "KITTI scan; copy it again or convert it",
-                                bytes.size() % kPointBytes));
+    throw FileError(
+        ErrorCode::truncated, name, bytes.size() - bytes.size() % kPointBytes,
+        fmt::format("{} bytes left for a point of 16 (x y z intensity as f32): the file is cut, or it is no "
+                    "KITTI scan; copy it again or convert it",
+                    bytes.size() % kPointBytes));
   }
   const std::size_t points = bytes.size() / kPointBytes;
   const float factor = scale == IntensityScale::unit ? kByteFromUnit : 1.0F;

@@ -1,9 +1,9 @@
 #include "berm/io/label_file.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstring>
+
+#include <fmt/format.h>
 
 #include "berm/core/error.hpp"
 #include "berm/io/atomic_file.hpp"
@@ -17,14 +17,15 @@ std::vector<std::uint32_t> parse_labels(std::span<const std::byte> bytes, const 
   constexpr std::size_t kLabelBytes = sizeof(std::uint32_t);
   const std::size_t count = bytes.size() / kLabelBytes;
   if (bytes.size() % kLabelBytes != 0) {
-    throw FileError(ErrorCode::truncated, name, count * kLabelBytes,
-                    fmt::format("{} bytes left for a label of 4: the file is cut or no SemanticKITTI label file; copy it again",
-                                bytes.size() % kLabelBytes));
+    throw FileError(
+        ErrorCode::truncated, name, count * kLabelBytes,
+        fmt::format("{} bytes left for a label of 4: the file is cut or no SemanticKITTI label file; copy it again",
+                    bytes.size() % kLabelBytes));
   }
   if (expected_points && count != *expected_points) {
-    throw FileError(ErrorCode::malformed, name, std::nullopt,
-                    fmt::format("holds {} labels for a scan of {} points; do they belong together?", count,
-                                *expected_points));
+    throw FileError(
+        ErrorCode::malformed, name, std::nullopt,
+        fmt::format("holds {} labels for a scan of {} points; do they belong together?", count, *expected_points));
   }
   std::vector<std::uint32_t> labels(count);
   if (count != 0) {

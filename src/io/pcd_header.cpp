@@ -1,13 +1,13 @@
 #include "pcd_header.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "berm/core/error.hpp"
 #include "line_reader.hpp"
@@ -80,7 +80,8 @@ class HeaderParser {
     const auto key = std::find(kKeyNames.begin(), kKeyNames.end(), key_name);
     if (key == kKeyNames.end()) {
       fail(ErrorCode::malformed, offset,
-           fmt::format("{} is no key of a PCD header, expected one of {}", quoted(key_name), fmt::join(kKeyNames, " ")));
+           fmt::format("{} is no key of a PCD header, expected one of {}", berm::quoted(key_name),
+                       fmt::join(kKeyNames, " ")));
     }
     Entry& target = entries_[static_cast<std::size_t>(key - kKeyNames.begin())];
     if (target.present) {
@@ -112,7 +113,7 @@ class HeaderParser {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || value < min || value > max) {
       fail(ErrorCode::malformed, offset,
-           fmt::format("{} where a whole number from {} to {} is expected", quoted(word), min, max));
+           fmt::format("{} where a whole number from {} to {} is expected", berm::quoted(word), min, max));
     }
     return value;
   }
@@ -123,7 +124,8 @@ class HeaderParser {
       return std::nullopt;
     }
     if (line.values.size() != 1) {
-      fail(ErrorCode::malformed, line.offset, fmt::format("{} with {} values, expected 1", kKeyNames[key], line.values.size()));
+      fail(ErrorCode::malformed, line.offset,
+           fmt::format("{} with {} values, expected 1", kKeyNames[key], line.values.size()));
     }
     return number(line.values.front(), line.offset, 0, kMaxPoints);
   }
@@ -177,7 +179,7 @@ class HeaderParser {
     if (!is_float && !is_whole) {
       fail(ErrorCode::malformed, offset,
            fmt::format("field {} has type {} and size {}, expected F with 4 or 8, I or U with 1, 2, 4 or 8",
-                       quoted(field.name), quoted({&field.type, 1}), field.size));
+                       berm::quoted(field.name), berm::quoted({&field.type, 1}), field.size));
     }
   }
 
@@ -217,7 +219,8 @@ class HeaderParser {
       float value = 0.0F;
       const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
       if (error != std::errc() || end != word.data() + word.size()) {
-        fail(ErrorCode::malformed, line.offset, fmt::format("VIEWPOINT holds {}, expected a number", quoted(word)));
+        fail(ErrorCode::malformed, line.offset,
+             fmt::format("VIEWPOINT holds {}, expected a number", berm::quoted(word)));
       }
       identity &= value == kIdentity[i];
     }

@@ -11,10 +11,10 @@ namespace berm {
 
 struct PcdField {
   std::string name;
-  char type = 'F';          ///< F, I or U
-  std::size_t size = 4;     ///< bytes of one value
-  std::size_t count = 1;    ///< values per point
-  std::size_t offset = 0;   ///< of the first value in the record of a point, bytes
+  char type = 'F';         ///< F, I or U
+  std::size_t size = 4;    ///< bytes of one value
+  std::size_t count = 1;   ///< values per point
+  std::size_t offset = 0;  ///< of the first value in the record of a point, bytes
 
   [[nodiscard]] std::size_t bytes() const { return size * count; }
   /// "F4"

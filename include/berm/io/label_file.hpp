@@ -13,9 +13,13 @@
 namespace berm {
 
 /// Class of a SemanticKITTI label as it is on disk.
-[[nodiscard]] constexpr std::uint32_t semantic_class(std::uint32_t raw) { return raw & 0xFFFFU; }
+[[nodiscard]] constexpr std::uint32_t semantic_class(std::uint32_t raw) {
+  return raw & 0xFFFFU;
+}
 /// Instance of a SemanticKITTI label as it is on disk; 0 where none.
-[[nodiscard]] constexpr std::uint32_t semantic_instance(std::uint32_t raw) { return raw >> 16U; }
+[[nodiscard]] constexpr std::uint32_t semantic_instance(std::uint32_t raw) {
+  return raw >> 16U;
+}
 
 /// Reads a SemanticKITTI `.label` file: one u32 per point, low 16 bits class, high 16 instance. Throws FileError as
 /// `read_file`, truncated where the size is no multiple of 4, malformed (with both numbers) where there are not

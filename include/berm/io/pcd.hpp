@@ -29,13 +29,11 @@ enum class PcdEncoding : std::uint8_t { ascii, binary, binary_compressed };
 [[nodiscard]] ScanRecord read_pcd(const std::filesystem::path& path, PointChannels reuse = {});
 
 /// The same from memory; `name` stands for the file in errors.
-[[nodiscard]] ScanRecord parse_pcd(std::span<const std::byte> bytes, const std::string& name,
-                                   PointChannels reuse = {});
+[[nodiscard]] ScanRecord parse_pcd(std::span<const std::byte> bytes, const std::string& name, PointChannels reuse = {});
 
 /// Writes `points` with the fields `x y z intensity time` (F4), `ring` (U2), `label` (U4, SemanticKITTI ids), those
 /// that are present. What is written reads back the same, but for no-return labels, which have no id of their own.
 /// Throws Error(invalid_argument) if channels differ in length, FileError(write_failed) as AtomicFile.
-void write_pcd(const std::filesystem::path& path, const PointsView& points,
-               PcdEncoding encoding = PcdEncoding::binary);
+void write_pcd(const std::filesystem::path& path, const PointsView& points, PcdEncoding encoding = PcdEncoding::binary);
 
 }  // namespace berm
