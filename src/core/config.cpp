@@ -1,20 +1,29 @@
 #include "berm/core/config.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "berm/core/error.hpp"
 
 namespace berm {
+namespace {
+
+/// As few digits as tell `value` from its neighbours: a value just outside of a range must not print as its end.
+std::string number_text(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+}  // namespace
 
 std::string find_problem(double value, const Range& range) {
   if (std::isfinite(value) && value >= range.min && value <= range.max) {
     return {};
   }
-  std::ostringstream problem;
-  problem << value << " is not allowed, expected " << range.min << " to " << range.max;
-  return problem.str();
+  return number_text(value) + " is not allowed, expected " + number_text(range.min) + " to " + number_text(range.max);
 }
 
 std::string find_problem(std::string_view value, const Choices& choices) {

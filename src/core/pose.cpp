@@ -46,7 +46,9 @@ Matrix3d left_jacobian(const Vector3d& rotation_rad) {
   const double angle_squared = angle * angle;
   const Matrix3d s = skew(rotation_rad);
   const bool small = angle < kSmallAngle_rad;
-  const double a = small ? 0.5 - angle_squared / 24.0 : (1.0 - std::cos(angle)) / angle_squared;
+  // 1 - cos(x) as 2 sin(x/2)^2: the difference itself would leave eight digits at the switch.
+  const double sinc_half = small ? 1.0 - angle_squared / 24.0 : std::sin(0.5 * angle) / (0.5 * angle);
+  const double a = 0.5 * sinc_half * sinc_half;
   const double b = small ? 1.0 / 6.0 - angle_squared / 120.0 : (angle - std::sin(angle)) / (angle_squared * angle);
   return Matrix3d::Identity() + a * s + b * s * s;
 }

@@ -1,11 +1,20 @@
 #include "berm/core/trajectory.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "berm/core/error.hpp"
 
 namespace berm {
+namespace {
+
+/// Unsigned, because stamps at both ends of their range are farther apart than a stamp can tell.
+double elapsed_ns(Stamp from_ns, Stamp to_ns) {
+  return static_cast<double>(static_cast<std::uint64_t>(to_ns) - static_cast<std::uint64_t>(from_ns));
+}
+
+}  // namespace
 
 void Trajectory::append(Stamp stamp_ns, const Pose& T_world_base) {
   if (!poses_.empty() && stamp_ns <= poses_.back().stamp_ns) {
@@ -29,8 +38,7 @@ std::optional<Pose> Trajectory::at(Stamp stamp_ns) const {
     return std::nullopt;
   }
   const StampedPose& before = *(after - 1);
-  const double share =
-      static_cast<double>(stamp_ns - before.stamp_ns) / static_cast<double>(after->stamp_ns - before.stamp_ns);
+  const double share = elapsed_ns(before.stamp_ns, stamp_ns) / elapsed_ns(before.stamp_ns, after->stamp_ns);
   return interpolate(before.T_world_base, after->T_world_base, share);
 }
 
