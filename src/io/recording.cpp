@@ -64,11 +64,15 @@ fs::path Recording::file(std::size_t index) const {
   return scan_folder_ / (names_[index] + extension_);
 }
 
-ScanEntry Recording::scan(std::size_t index) const {
+void Recording::check_index(std::size_t index) const {
   if (index >= size()) {
     throw Error(ErrorCode::invalid_argument, path_.string() + ": there is no scan " + std::to_string(index) +
                                                  ", the recording has " + std::to_string(size()));
   }
+}
+
+ScanEntry Recording::scan(std::size_t index) const {
+  check_index(index);
   ScanEntry entry{.name = names_[index], .file = file(index), .truth_labels = {}, .stamp_ns = stamps_ns_[index]};
   if (has_labels_[index]) {
     entry.truth_labels = path_ / "labels" / (names_[index] + ".label");
@@ -77,9 +81,9 @@ ScanEntry Recording::scan(std::size_t index) const {
 }
 
 ScanRecord Recording::read_record(std::size_t index, PointChannels reuse) const {
-  const fs::path path = scan(index).file;
-  return extension_ == kPcdExtension ? read_pcd(path, std::move(reuse))
-                                     : read_kitti_bin(path, intensity_scale_, std::move(reuse));
+  check_index(index);
+  return extension_ == kPcdExtension ? read_pcd(file(index), std::move(reuse))
+                                     : read_kitti_bin(file(index), intensity_scale_, std::move(reuse));
 }
 
 void Recording::read(std::size_t index, Scan& scan) const {

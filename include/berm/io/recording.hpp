@@ -98,6 +98,7 @@ class Recording {
   Recording() = default;
   friend class RecordingOpener;
 
+  void check_index(std::size_t index) const;
   [[nodiscard]] std::filesystem::path file(std::size_t index) const;
 
   RecordingLayout layout_ = RecordingLayout::single_file;
