@@ -31,7 +31,7 @@ check_format() {
 
 check_includes() { scripts/check_includes.py; }
 
-check_shell() { shellcheck -x scripts/*.sh .ci/run; }
+check_shell() { shellcheck -x scripts/*.sh tests/lint/*.sh .ci/run; }
 
 # Paths of one machine have no place in what others build.
 check_paths() {
