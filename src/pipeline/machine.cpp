@@ -92,8 +92,7 @@ Machine read_machine(const std::filesystem::path& file) {
   return parse_machine(buffer.text(), file.string());
 }
 
-std::string set_value(Machine& machine, std::string_view assignment, std::string_view argument) {
-  const std::string where = std::string(argument) + " " + std::string(assignment);
+std::string set_value(Machine& machine, std::string_view assignment, const std::string& where) {
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.find('.');
   if (equals == std::string_view::npos || dot == std::string_view::npos || dot > equals) {

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "berm/core/error.hpp"
+#include "berm/io/recording.hpp"
+#include "berm/pipeline/pipeline.hpp"
+#include "berm/pipeline/sensor_sheet.hpp"
+#include "berm/render/draw_scan.hpp"
+#include "berm/render/png.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "exit_code.hpp"
+#include "label_pictures.hpp"
+#include "machine_option.hpp"
+
+namespace berm::app {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  berm draw recording -o scan.png
+  berm draw recording --run out --scan 000012 -o labels.png
+  berm draw recording --run out --truth --view perspective -o right_and_wrong.png
+  berm draw recording --machine groomer --view side -o - > side.png
+
+--machine labels the scan on the spot; --run takes the labels of a run, --truth those of the recording, and both
+together show where they agree.)";
+
+struct DrawCommand {
+  Console console;
+  MachineOption machine;
+  std::string recording;
+  std::string scan;
+  std::string run_folder;
+  bool truth = false;
+  bool light = false;
+  std::string output;
+  DrawOptions options;
+};
+
+std::size_t find_scan(const Recording& recording, const std::string& name) {
+  if (name.empty()) {
+    return 0;
+  }
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    if (recording.scan(i).name == name) {
+      return i;
+    }
+  }
+  throw UsageError("--scan " + name + ": there is no such scan, they go from " + recording.scan(0).name + " to " +
+                   recording.scan(recording.size() - 1).name);
+}
+
+/// The mount that the picture is levelled by: the machine's, corrected by the recording's own sheet.
+Machine find_machine_of(const DrawCommand& command, const Recording& recording) {
+  ChosenMachine chosen;
+  if (command.machine.is_given()) {
+    chosen = command.machine.choose();
+  }
+  adopt_sheet(chosen.machine, recording.sheet(), chosen.pinned);
+  return chosen.machine;
+}
+
+Image draw(const DrawCommand& command, const Recording& recording, const ScanEntry& entry, const Scan& scan,
+           const Machine& machine) {
+  const PointsView points = scan.cloud.view();
+  std::optional<RawLabels> output;
+  std::optional<RawLabels> truth;
+  if (!command.run_folder.empty()) {
+    output = read_labels(std::filesystem::path(command.run_folder) / "labels" / (entry.name + ".label"), points.size());
+  }
+  if (command.truth) {
+    if (!entry.truth_labels) {
+      throw UsageError("--truth: the recording " + recording.path().string() + " has no labels for scan " + entry.name);
+    }
+    truth = read_labels(*entry.truth_labels, points.size());
+  }
+  if (output && truth) {
+    return draw_classes(points, compare_ground(*output, *truth), kGroundComparison, command.options);
+  }
+  if (output || truth) {
+    return draw_scan(points, to_labels(output ? *output : *truth), command.options);
+  }
+  if (command.machine.is_given()) {
+    Pipeline pipeline(machine);
+    return draw_scan(points, pipeline.process(scan).labels, command.options);
+  }
+  return draw_scan(points, {}, command.options);
+}
+
+int execute(DrawCommand& command) {
+  command.console.start();
+  const Recording recording = Recording::open(command.recording);
+  const Machine machine = find_machine_of(command, recording);
+  const std::size_t index = find_scan(recording, command.scan);
+  const ScanEntry entry = recording.scan(index);
+  Scan scan;
+  recording.read(index, scan);
+  scan.T_base_sensor = machine.mount.T_base_sensor();
+  command.options.T_base_sensor = scan.T_base_sensor;
+  command.options.background = command.light ? Background::light : Background::dark;
+  if (command.options.title.empty()) {
+    command.options.title = recording.path().filename().string() + " " + entry.name;
+  }
+  const auto png = encode_png(draw(command, recording, entry, scan, machine));
+  write_result(command.output, {reinterpret_cast<const char*>(png.data()), png.size()});
+  return kWhole;
+}
+
+void add_picture_options(CLI::App& sub, DrawCommand& command) {
+  const std::map<std::string, DrawView> views = {{"top", DrawView::top},
+                                                 {"side", DrawView::side},
+                                                 {"front", DrawView::front},
+                                                 {"perspective", DrawView::perspective}};
+  const std::map<std::string, DrawColor> colors = {
+      {"label", DrawColor::label}, {"intensity", DrawColor::intensity}, {"height", DrawColor::height}};
+  DrawOptions& options = command.options;
+  sub.add_option("--view", options.view, "From where")->transform(CLI::CheckedTransformer(views))->type_name("VIEW");
+  sub.add_option("--color", options.color, "What the colours say")
+      ->transform(CLI::CheckedTransformer(colors))
+      ->type_name("COLOR");
+  sub.add_option("--width", options.width_px, "Width of the picture in pixels")->capture_default_str();
+  sub.add_option("--height", options.height_px, "Height of the picture in pixels")->capture_default_str();
+  sub.add_option("--range", options.range_m, "How far is shown, in m; 0 as far as most points are")
+      ->capture_default_str();
+  sub.add_option("--title", options.title, "Text above the picture");
+  sub.add_flag("--light", command.light, "Light background, for paper");
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, int& exit_code) {
+  auto command = std::make_shared<DrawCommand>();
+  CLI::App* sub = app.add_subcommand("draw", "Draw one scan as a PNG picture");
+  sub->footer(kExamples);
+  sub->add_option("RECORDING", command->recording, "Sequence folder, KITTI folder, folder of scans, or one scan")
+      ->required();
+  sub->add_option("-o,--output", command->output, "PNG file, - for stdout")->required()->type_name("FILE");
+  sub->add_option("--scan", command->scan, "Name of the scan, else the first")->type_name("NAME");
+  sub->add_option("--run", command->run_folder, "Take the labels of this run")->type_name("FOLDER");
+  sub->add_flag("--truth", command->truth, "Take the labels that came with the recording");
+  command->machine.add_options(*sub, false);
+  add_picture_options(*sub, *command);
+  command->console.add_options(*sub);
+  sub->callback([command, &exit_code] {
+    try {
+      command->options.check();
+    } catch (const ConfigError& error) {
+      throw UsageError(error.what());
+    }
+    exit_code = execute(*command);
+  });
+}
+
+}  // namespace berm::app

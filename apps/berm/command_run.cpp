@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <csignal>
+#include <memory>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include "berm/core/error.hpp"
+#include "berm/io/recording.hpp"
+#include "berm/pipeline/run.hpp"
+#include "berm/pipeline/sensor_sheet.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "exit_code.hpp"
+#include "machine_option.hpp"
+#include "progress_bar.hpp"
+
+namespace berm::app {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  berm run recording --machine car -o out
+  berm run recording -m groomer -o out --method ground=reference
+  berm run recording -m my_truck.yaml -o out --set mount.height_m=3.8 --first 100 --count 50
+
+Writes out/labels/NAME.label for every scan, out/trajectory.tum if the recording brings poses, and out/run.json last.
+Ends with 0 if everything was done, 3 if scans were skipped (run.json says which and why), 1 if it failed, 2 for wrong usage.)";
+
+struct RunCommand {
+  Console console;
+  MachineOption machine;
+  std::string recording;
+  RunOptions options;
+  std::size_t count = 0;
+};
+
+volatile std::sig_atomic_t received_signal = 0;
+
+/// The first signal asks for a clean end, a second one ends the program as it always would.
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int signal) { received_signal = signal; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+int report(const RunSummary& summary, const RunOptions& options) {
+  const RunCounts& counts = summary.counts;
+  const std::string output = options.output.string();
+  if (summary.interrupted) {
+    print_error(
+        fmt::format("stopped by a signal after {} of {} scans: {} holds their labels and no run.json; run again "
+                    "with --force",
+                    counts.labelled + counts.skipped, counts.selected, output));
+    return kSignalBase + received_signal;
+  }
+  for (const std::string& note : summary.notes) {
+    spdlog::info("note: {}", note);
+  }
+  for (const SkippedScan& scan : summary.skipped) {
+    spdlog::warn("skipped scan {}: {}", scan.name, scan.reason);
+  }
+  spdlog::info("{} scans, {} points: {:.1f} % drivable, {:.1f} % obstacle, {:.1f} % no return, {} invalid -> {}",
+               counts.labelled, counts.points, percent(counts.drivable, counts.points),
+               percent(counts.obstacle, counts.points), percent(counts.no_return, counts.points), counts.invalid,
+               output);
+  if (counts.skipped > 0) {
+    spdlog::warn("{} of {} scans were skipped, see {}/run.json", counts.skipped, counts.selected, output);
+    return kWithLosses;
+  }
+  return kWhole;
+}
+
+int execute(RunCommand& command) {
+  command.console.start();
+  ChosenMachine chosen = command.machine.choose();
+  const Recording recording = Recording::open(command.recording);
+  command.options.notes = adopt_sheet(chosen.machine, recording.sheet(), chosen.pinned);
+  command.options.machine_file = chosen.file;
+  catch_signals();
+  const RunSummary summary = [&] {
+    ProgressBar bar(command.console.is_quiet());
+    command.options.on_progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
+    command.options.should_stop = [] { return received_signal != 0; };
+    return run(recording, chosen.machine, command.options);
+  }();
+  return report(summary, command.options);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  auto command = std::make_shared<RunCommand>();
+  RunOptions& options = command->options;
+  options.threads = std::max(1U, std::thread::hardware_concurrency());
+
+  CLI::App* sub = app.add_subcommand("run", "Label the points of a recording");
+  sub->footer(kExamples);
+  sub->add_option("RECORDING", command->recording, "Sequence folder, KITTI folder, folder of scans, or one scan")
+      ->required();
+  command->machine.add_options(*sub, true);
+  sub->add_option("-o,--output", options.output, "Folder for the results")->required()->type_name("FOLDER");
+  sub->add_flag("--force", options.force, "Replace the results of an earlier run in that folder");
+  sub->add_option("--threads", options.threads, "Scans worked on at a time; the results are the same for any number")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  sub->add_option("--first", options.first, "Index of the first scan, from 0")->capture_default_str();
+  auto* count = sub->add_option("--count", command->count, "Number of scans, else all")->check(CLI::PositiveNumber);
+  command->console.add_options(*sub);
+  sub->callback([command, count, &exit_code] {
+    if (count->count() > 0) {
+      command->options.count = command->count;
+    }
+    exit_code = execute(*command);
+  });
+}
+
+}  // namespace berm::app
