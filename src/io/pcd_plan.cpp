@@ -40,6 +40,20 @@ constexpr std::array<TimeName, 9> kTimeNames = {{
     {"time_offset", "F4 F8 ", PcdTimeUnit::relative_s},
 }};
 
+const char* unit_name(PcdTimeUnit unit) {
+  switch (unit) {
+    case PcdTimeUnit::relative_s:
+      return "s since the stamp of the scan";
+    case PcdTimeUnit::relative_ns:
+      return "ns since the stamp of the scan";
+    case PcdTimeUnit::absolute_s:
+      return "absolute s";
+    case PcdTimeUnit::absolute_ns:
+      break;
+  }
+  return "absolute ns";
+}
+
 class Planner {
  public:
   Planner(const PcdHeader& header, const std::string& name) : header_(header), name_(name) {}
@@ -117,6 +131,8 @@ class Planner {
       }
       plan_.channels.push_back({PcdChannel::time, *index});
       plan_.time_unit = time.unit;
+      plan_.notes.push_back(fmt::format("time comes from the field {} ({}), taken as {}", time.name,
+                                        header_.fields[*index].type_name(), unit_name(time.unit)));
       return;
     }
     for (const TimeName& time : kTimeNames) {

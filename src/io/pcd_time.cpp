@@ -26,7 +26,7 @@ constexpr double kMaxNanoseconds = 9.2e18;
                       "out (docs/formats.md lists names and units)");
 }
 
-void note_times(ScanRecord& record, const char* kind) {
+void note_times(ScanRecord& record) {
   std::vector<float>& time = record.channels.time;
   std::size_t known = 0;
   std::size_t backwards = 0;
@@ -50,7 +50,7 @@ void note_times(ScanRecord& record, const char* kind) {
     time.clear();
     return;
   }
-  record.notes.push_back(fmt::format("times of points are {}, from {:.6f} to {:.6f} s", kind, first, last));
+  record.notes.push_back(fmt::format("times of points reach from {:.6f} to {:.6f} s", first, last));
   if (known < time.size()) {
     record.notes.push_back(fmt::format("{} points carry no usable time", time.size() - known));
   }
@@ -104,7 +104,7 @@ void set_absolute_time(ScanRecord& record, std::span<const std::int64_t> stamps_
     return unset ? std::numeric_limits<float>::quiet_NaN()
                  : static_cast<float>(static_cast<double>(stamp - *first) / kNanosecondsPerSecond);
   });
-  note_times(record, "absolute");
+  note_times(record);
 }
 
 void check_relative_time(ScanRecord& record, const std::string& name) {
@@ -121,7 +121,7 @@ void check_relative_time(ScanRecord& record, const std::string& name) {
   if (static_cast<double>(last) - static_cast<double>(first) > kMaxSpan_s || first < -kMaxSpan_s || last > kMaxSpan_s) {
     refuse(name, fmt::format("the times of points, relative to the scan, reach from {:.6g} to {:.6g} s", first, last));
   }
-  note_times(record, "relative to the scan");
+  note_times(record);
 }
 
 }  // namespace berm

@@ -19,6 +19,7 @@ TEST(Stamp, RoundsToTheNearestNanosecond) {
   EXPECT_EQ(from_seconds(-0.6e-9), -1);
   EXPECT_EQ(from_seconds(1.5e-9), 2);
   EXPECT_EQ(from_seconds(-1.5e-9), -2);
+  EXPECT_EQ(from_seconds(1635236489.25), 1'635'236'489'250'000'000);
 }
 
 TEST(Stamp, DoesNotRoundUpWhatIsJustBelowAHalf) {
