@@ -240,7 +240,9 @@ void RecordingOpener::assume_rate() {
   for (std::size_t i = 0; i < recording_.size(); ++i) {
     recording_.stamps_ns_.push_back(from_seconds(static_cast<double>(i) / rate_hz));
   }
-  note(given ? "no times.txt: stamps follow from scan_hz of sequence.json" : "no times.txt: 10 Hz assumed");
+  if (recording_.size() > 1) {
+    note(given ? "no times.txt: stamps follow from scan_hz of sequence.json" : "no times.txt: 10 Hz assumed");
+  }
   recording_.stamp_source_ = StampSource::assumed_rate;
 }
 

@@ -33,10 +33,11 @@ namespace berm::test {
 
 }  // namespace berm::test
 
-/// First line of a test that needs a real recording: defines `path`, or skips (or, with BERM_REQUIRE_DATA=1, fails).
-#define BERM_NEED_DATA(path, name)                                                                 \
-  const std::optional<std::filesystem::path> path##_found = ::berm::test::find_data(name);         \
-  if (!path##_found) {                                                                             \
+/// First line of a test that needs the real recording `name`: defines its path as `variable`, or skips (or, with
+/// BERM_REQUIRE_DATA=1, fails).
+#define BERM_NEED_DATA(variable, name)                                                             \
+  const std::optional<std::filesystem::path> variable##_found = ::berm::test::find_data(name);     \
+  if (!variable##_found) {                                                                         \
     if (::berm::test::data_is_required()) {                                                        \
       FAIL() << "recording '" << (name) << "' is not in " << ::berm::test::data_folder()           \
              << " and BERM_REQUIRE_DATA=1 asks for it; set BERM_DATA to the folder that holds it"; \
@@ -44,4 +45,4 @@ namespace berm::test {
     GTEST_SKIP() << "recording '" << (name) << "' is not in " << ::berm::test::data_folder()       \
                  << "; set BERM_DATA to the folder that holds it";                                 \
   }                                                                                                \
-  const std::filesystem::path path = *path##_found
+  const std::filesystem::path variable = *variable##_found
