@@ -8,6 +8,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(TBB REQUIRED)
 find_package(PNG REQUIRED)
 find_package(lzf REQUIRED)
+find_package(tsl-robin-map REQUIRED)
 
 # yaml-cpp names its target differently from version to version.
 if(NOT TARGET yaml-cpp::yaml-cpp)
