@@ -1,7 +1,55 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "berm/core/pose.hpp"
+#include "berm/geometry/polar_grid.hpp"
+
 namespace berm {
 
-class HeightGrid {};
+/// A height and one standard deviation of it.
+struct HeightEstimate {
+  double height_m = 0.0;
+  double sigma_m = 0.0;
+};
+
+/// Height of the ground around a sensor on a polar grid, each cell a small plane with an uncertainty. It lives in the
+/// levelled frame of the scan: origin on the ground plane below the sensor, z along the normal of that plane.
+class HeightGrid {
+ public:
+  /// The ground in one cell.
+  struct Cell {
+    float height_m = 0.0F;       ///< at the middle of the cell
+    float radial_slope = 0.0F;   ///< rise per metre away from the sensor
+    float lateral_slope = 0.0F;  ///< rise per metre to the left, across the sector
+    float sigma_m = 0.0F;        ///< of the height
+    bool measured = false;       ///< whether the ground was seen here; else it is carried on from cells that were
+  };
+
+  explicit HeightGrid(PolarGrid grid);
+
+  [[nodiscard]] const PolarGrid& grid() const { return grid_; }
+  [[nodiscard]] const Pose& T_level_sensor() const { return T_level_sensor_; }
+  void set_T_level_sensor(const Pose& T_level_sensor) { T_level_sensor_ = T_level_sensor; }
+
+  /// `cell` must be of `grid()`.
+  [[nodiscard]] const Cell& cell(PolarCell cell) const { return cells_[grid_.offset(cell)]; }
+  [[nodiscard]] Cell& cell(PolarCell cell) { return cells_[grid_.offset(cell)]; }
+
+  /// The ground at a place of the levelled frame; none outside of the grid and for NaN.
+  [[nodiscard]] std::optional<HeightEstimate> at(double x_m, double y_m) const;
+  /// How high a point of the sensor frame lies above the ground, along the normal of the levelled plane, with the
+  /// uncertainty of the ground; none outside of the grid and for NaN.
+  [[nodiscard]] std::optional<HeightEstimate> height_above(const Eigen::Vector3d& point_sensor_m) const;
+
+ private:
+  PolarGrid grid_;
+  Pose T_level_sensor_;
+  std::vector<Cell> cells_;
+};
 
 }  // namespace berm

@@ -1,0 +1,35 @@
+#include "berm/geometry/height_grid.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace berm {
+
+HeightGrid::HeightGrid(PolarGrid grid) : grid_(std::move(grid)), cells_(grid_.size()) {}
+
+std::optional<HeightEstimate> HeightGrid::at(double x_m, double y_m) const {
+  const std::optional<PolarCell> where = grid_.cell_of(x_m, y_m);
+  if (!where) {
+    return std::nullopt;
+  }
+  const Cell& ground = cell(*where);
+  const double azimuth_rad = grid_.center_azimuth_rad(where->sector);
+  const double outward_m = x_m * std::cos(azimuth_rad) + y_m * std::sin(azimuth_rad);
+  const double left_m = y_m * std::cos(azimuth_rad) - x_m * std::sin(azimuth_rad);
+  const double from_middle_m = outward_m - grid_.center_range_m(where->bin);
+  return HeightEstimate{
+      static_cast<double>(ground.height_m) + static_cast<double>(ground.radial_slope) * from_middle_m +
+          static_cast<double>(ground.lateral_slope) * left_m,
+      static_cast<double>(ground.sigma_m)};
+}
+
+std::optional<HeightEstimate> HeightGrid::height_above(const Eigen::Vector3d& point_sensor_m) const {
+  const Eigen::Vector3d point_m = T_level_sensor_ * point_sensor_m;
+  std::optional<HeightEstimate> ground = at(point_m.x(), point_m.y());
+  if (ground) {
+    ground->height_m = point_m.z() - ground->height_m;
+  }
+  return ground;
+}
+
+}  // namespace berm

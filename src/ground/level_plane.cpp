@@ -1,0 +1,218 @@
+#include "level_plane.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "berm/geometry/plane_fit.hpp"
+#include "multiversion.hpp"
+
+namespace berm {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+/// Low points are the lowest of square cells of 2 m within 20 m: large enough to see past a car, and few.
+constexpr float kCell_m = 2.0F;
+constexpr float kReach_m = 20.0F;
+constexpr int kCells = 20;  // a side: 2 * kReach_m / kCell_m
+
+/// The lowest points come from about this many points: the plane does not need more.
+constexpr std::size_t kSamples = 8192;
+
+constexpr std::size_t kMinLowPoints = 10;
+constexpr int kHypotheses = 200;
+constexpr int kRefinements = 3;
+
+/// Share of the low points that a plane loses for a sensor height that is off by 30 %.
+constexpr float kHeightPrior = 0.1F;
+constexpr float kHeightPriorSpread = 0.3F;
+/// What a low point below the plane costs: nothing is below the ground but reflections, so ground is seldom above it.
+constexpr float kBelowPenalty = 0.5F;
+/// Least height of the sensor above the ground, and least area that three low points must span (twice, in m^2).
+constexpr float kMinHeight_m = 0.3F;
+constexpr float kMinSpan_m2 = 4.0F;
+
+/// Every stride-th point is looked at. A prime, so that no number of lasers divides it and rings are lost.
+std::size_t stride_for(std::size_t points) {
+  constexpr std::array<std::size_t, 12> kPrimes = {1, 3, 7, 11, 13, 17, 29, 61, 127, 251, 509, 1021};
+  for (const std::size_t prime : kPrimes) {
+    if (points / prime <= kSamples) {
+      return prime;
+    }
+  }
+  return points / kSamples;
+}
+
+/// Sum over the low points of 1 - (distance / tolerance)^2, less a penalty for each that lies below. Eight partial
+/// sums in a fixed order, so that the compiler may use wide registers and the result stays the same.
+BERM_MULTIVERSION
+float sum_scores(const float* __restrict x, const float* __restrict y, const float* __restrict z,
+                 const float* __restrict tolerance_m, std::size_t count, float nx, float ny, float nz, float height_m) {
+  constexpr std::size_t kLanes = 8;
+  std::array<float, kLanes> sums{};
+  const std::size_t whole = count - count % kLanes;
+  for (std::size_t i = 0; i < whole; i += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::size_t k = i + lane;
+      const float distance = nx * x[k] + ny * y[k] + nz * z[k] + height_m;
+      const float relative = distance / tolerance_m[k];
+      const float fit = 1.0F - relative * relative;
+      const float miss = distance < 0.0F ? -kBelowPenalty : 0.0F;
+      sums[lane] += fit > 0.0F ? fit : miss;
+    }
+  }
+  float sum = 0.0F;
+  for (const float part : sums) {
+    sum += part;
+  }
+  return sum;
+}
+
+/// A small linear congruential generator (Numerical Recipes): the same hypotheses for every scan.
+class Dice {
+ public:
+  std::size_t below(std::size_t count) {
+    state_ = state_ * 1664525U + 1013904223U;
+    return (static_cast<std::size_t>(state_ >> 8U) * count) >> 24U;
+  }
+
+ private:
+  std::uint32_t state_ = 12345U;
+};
+
+/// The frame on the plane, its x axis as near to the sensor's as the plane allows.
+Pose level_frame(const Vector3d& normal_sensor, double height_m) {
+  const Vector3d x = (Vector3d::UnitX() - normal_sensor.x() * normal_sensor).normalized();
+  Matrix3d R_level_sensor;
+  R_level_sensor.row(0) = x;
+  R_level_sensor.row(1) = normal_sensor.cross(x);
+  R_level_sensor.row(2) = normal_sensor;
+  Eigen::Matrix<double, 3, 4> matrix;
+  matrix << R_level_sensor, Vector3d(0.0, 0.0, height_m);
+  return Pose::from_matrix(matrix);
+}
+
+}  // namespace
+
+void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen::Matrix3f& R_base_sensor,
+                                          float min_range_m) {
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  lowest_.assign(static_cast<std::size_t>(kCells * kCells), Vector3f(0.0F, 0.0F, kNone));
+  const std::size_t stride = stride_for(points.size());
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    const Vector3f p = R_base_sensor * Vector3f(points.x[i], points.y[i], points.z[i]);
+    const float range2 = p.x() * p.x() + p.y() * p.y();
+    if (!(range2 >= min_range_m * min_range_m && range2 < kReach_m * kReach_m && range2 > 0.0F)) {
+      continue;
+    }
+    const int column = static_cast<int>((p.x() + kReach_m) / kCell_m);
+    const int row = static_cast<int>((p.y() + kReach_m) / kCell_m);
+    Vector3f& low = lowest_[static_cast<std::size_t>(std::min(row, kCells - 1) * kCells + std::min(column, kCells - 1))];
+    if (p.z() < low.z()) {
+      low = p;
+    }
+  }
+  x_.clear(), y_.clear(), z_.clear(), tolerance_m_.clear();
+  for (const Vector3f& low : lowest_) {
+    if (low.z() < kNone) {
+      x_.push_back(low.x()), y_.push_back(low.y()), z_.push_back(low.z());
+      // Near: what a rough ground shows. Farther out a hill or a hollow leaves its tangent plane.
+      tolerance_m_.push_back(0.1F + 0.03F * std::hypot(low.x(), low.y()));
+    }
+  }
+}
+
+float LevelPlaneFinder::score(const Plane& plane) const {
+  return sum_scores(x_.data(), y_.data(), z_.data(), tolerance_m_.data(), x_.size(), plane.normal.x(),
+                    plane.normal.y(), plane.normal.z(), plane.height_m);
+}
+
+LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float min_up) const {
+  const auto low_point = [this](std::size_t i) { return Vector3f(x_[i], y_[i], z_[i]); };
+  Plane best{Vector3f::UnitZ(), mount_height_m};
+  float best_score = -std::numeric_limits<float>::infinity();
+  Dice dice;
+  for (int i = 0; i < kHypotheses; ++i) {
+    const Vector3f a = low_point(dice.below(x_.size()));
+    const Vector3f b = low_point(dice.below(x_.size()));
+    const Vector3f c = low_point(dice.below(x_.size()));
+    const Vector3f cross = (b - a).cross(c - a);
+    const float span = cross.norm();
+    if (span < kMinSpan_m2) {
+      continue;
+    }
+    const Vector3f normal = cross / (cross.z() < 0.0F ? -span : span);
+    const Plane plane{normal, -normal.dot(a)};
+    if (normal.z() < min_up || plane.height_m < kMinHeight_m) {
+      continue;
+    }
+    float plane_score = score(plane);
+    if (mount_height_m > 0.0F) {
+      const float off = (plane.height_m / mount_height_m - 1.0F) / kHeightPriorSpread;
+      plane_score -= kHeightPrior * static_cast<float>(x_.size()) * off * off;
+    }
+    if (plane_score > best_score) {
+      best_score = plane_score;
+      best = plane;
+    }
+  }
+  return best;
+}
+
+/// Least squares over the low points near the plane, with Cauchy weights; gives the root mean square of what belongs.
+double LevelPlaneFinder::refine(Plane& plane) const {
+  for (int i = 0; i < kRefinements; ++i) {
+    Moments moments;
+    for (std::size_t k = 0; k < x_.size(); ++k) {
+      const Vector3f p(x_[k], y_[k], z_[k]);
+      const float relative = (plane.normal.dot(p) + plane.height_m) / tolerance_m_[k];
+      if (std::fabs(relative) < 1.0F) {
+        moments.add(p.cast<double>(), 1.0 / (1.0 + 4.0 * static_cast<double>(relative * relative)));
+      }
+    }
+    const std::optional<PlaneFit> fit = fit_plane(moments);
+    if (!fit) {
+      break;
+    }
+    plane.normal = fit->normal.cast<float>();
+    plane.height_m = static_cast<float>(-fit->normal.dot(fit->centroid_m));
+  }
+  double sum_m2 = 0.0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const float distance = plane.normal.x() * x_[k] + plane.normal.y() * y_[k] + plane.normal.z() * z_[k] + plane.height_m;
+    if (std::fabs(distance) < tolerance_m_[k]) {
+      sum_m2 += static_cast<double>(distance) * static_cast<double>(distance);
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(sum_m2 / static_cast<double>(count)) : 0.0;
+}
+
+LevelPlane LevelPlaneFinder::find(const PointsView& points, const Pose& T_base_sensor,
+                                  const TerrainGroundConfig& config) {
+  const Matrix3d R_base_sensor = T_base_sensor.rotation().toRotationMatrix();
+  const double mount_height_m = std::max(0.0, T_base_sensor.translation_m().z());
+  const LevelPlane by_mount{level_frame(R_base_sensor.row(2).transpose(), mount_height_m), 0.0, false};
+  if (!config.level) {
+    return by_mount;
+  }
+  collect_low_points(points, R_base_sensor.cast<float>(), static_cast<float>(config.min_range_m));
+  if (x_.size() < kMinLowPoints) {
+    return by_mount;
+  }
+  const double min_up = std::cos(config.max_tilt_deg * std::numbers::pi / 180.0);
+  Plane plane = best_plane(static_cast<float>(mount_height_m), static_cast<float>(min_up));
+  const double rms_m = refine(plane);
+  const Vector3d normal_sensor = (R_base_sensor.transpose() * plane.normal.cast<double>()).normalized();
+  return {level_frame(normal_sensor, static_cast<double>(plane.height_m)), rms_m, true};
+}
+
+}  // namespace berm

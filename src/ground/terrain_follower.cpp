@@ -1,0 +1,244 @@
+#include "terrain_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "multiversion.hpp"
+
+namespace berm {
+namespace {
+
+/// Variance of the plane's height and slope that stays however well the low points fit it, and the share of their mean
+/// square misfit that is added.
+constexpr double kStartVariance = 5e-4;
+constexpr double kHeightShareOfMisfit = 0.3;
+constexpr double kSlopeShareOfMisfit = 0.2;
+
+/// A neighbour's height counts with this variance added, in m^2, and in m^2 per metre of distance to it.
+constexpr float kNeighbourVariance = 0.01F;
+constexpr float kNeighbourVariancePerMetre = 0.02F;
+
+/// Steeper than this against the levelled plane is no ground that a machine stands on.
+constexpr float kMaxSlope = 1.0F;
+/// The uncertainty of the height widens the gate by this at most.
+constexpr float kMaxWidening_m = 1.0F;
+/// A cell spans this much height by slope that is not known yet, per metre of its size.
+constexpr float kUnknownSlope = 0.1F;
+/// A cell that spans more than this beyond its slope is not bare ground.
+constexpr float kBareSpan_m = 0.2F;
+
+float clamped(float value, float limit) {
+  const float low = value > -limit ? value : -limit;
+  return low < limit ? low : limit;
+}
+
+/// Numbers that hold for one bin.
+struct BinStep {
+  float step_m;       ///< from the middle of the bin before
+  float length_m;     ///< of the cells
+  float width_m;      ///< of the cells, across the sector
+  float step_up_m;
+  float step_down_m;
+  float gate_sigmas;
+  float object_gate_sigmas;
+  float noise_m2;
+  float height_growth_m2;  ///< variance that the height gains by roughness on this step
+  float slope_growth;      ///< variance that the slope gains by curvature
+  float object_height_m;
+  bool usable;             ///< far enough from the sensor to shape the ground
+};
+
+/// Predicts every sector to the bin and corrects it by the cell's lowest point, if that passes the gate.
+BERM_MULTIVERSION
+void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restrict lowest_m,
+                         const float* __restrict highest_m, const float* __restrict cross_slope,
+                         float* __restrict height_m, float* __restrict slope, float* __restrict height_variance,
+                         float* __restrict covariance, float* __restrict slope_variance,
+                         std::uint8_t* __restrict measured, std::uint8_t* __restrict has_object) {
+  const float step2 = bin.step_m * bin.step_m;
+  const float usable = bin.usable ? 1.0F : 0.0F;
+  for (std::size_t s = 0; s < sectors; ++s) {
+    const float expected_m = height_m[s] + slope[s] * bin.step_m;
+    const float hh = height_variance[s] + 2.0F * covariance[s] * bin.step_m + slope_variance[s] * step2 +
+                     bin.height_growth_m2 + bin.slope_growth * step2 * (1.0F / 3.0F);
+    const float hg = covariance[s] + slope_variance[s] * bin.step_m + bin.slope_growth * bin.step_m * 0.5F;
+    const float gg = slope_variance[s] + bin.slope_growth;
+
+    const float span_m = highest_m[s] - lowest_m[s] - (std::fabs(slope[s]) + kUnknownSlope) * bin.length_m -
+                         (std::fabs(cross_slope[s]) + kUnknownSlope) * bin.width_m;
+    const float widening_m = std::sqrt(hh) * (span_m > kBareSpan_m ? bin.object_gate_sigmas : bin.gate_sigmas);
+    const float up_m = bin.step_up_m + (widening_m < kMaxWidening_m ? widening_m : kMaxWidening_m);
+    const float down_m = bin.step_down_m + 2.0F * std::sqrt(hh);
+    const float surprise_m = lowest_m[s] - expected_m;
+    const float accepted = (surprise_m < up_m) & (surprise_m > -down_m) ? usable : 0.0F;
+
+    const float correction_m = accepted > 0.0F ? surprise_m : 0.0F;  // an empty cell's surprise is infinite
+    const float gain = accepted / (hh + bin.noise_m2);
+    height_m[s] = expected_m + gain * hh * correction_m;
+    slope[s] = clamped(slope[s] + gain * hg * correction_m, kMaxSlope);
+    height_variance[s] = hh - gain * hh * hh;
+    covariance[s] = hg - gain * hg * hh;
+    slope_variance[s] = gg - gain * hg * hg;
+    measured[s] = static_cast<std::uint8_t>(accepted > 0.0F ? 1 : 0);
+    has_object[s] = static_cast<std::uint8_t>(span_m > bin.object_height_m ? 1 : 0);
+  }
+}
+
+/// The estimates as one ring around the sensor; pointers to sector 0, readable at -1 and at the number of sectors.
+struct RingView {
+  const float* height_m;
+  const float* slope;
+  const float* height_variance;
+  const float* covariance;
+  const float* slope_variance;
+};
+
+/// Each sector takes the mean of itself and its neighbours, weighted by their certainty. Where it was measured, the
+/// mean is also surer than it was; elsewhere the neighbours' errors may be its own.
+BERM_MULTIVERSION
+void average_neighbours(std::size_t sectors, float width_m, RingView from, const std::uint8_t* __restrict measured,
+                        const float* __restrict cross_slope, float* __restrict height_m, float* __restrict slope,
+                        float* __restrict height_variance, float* __restrict covariance,
+                        float* __restrict slope_variance) {
+  const float neighbour_variance = kNeighbourVariance + kNeighbourVariancePerMetre * width_m;
+  for (std::size_t s = 0; s < sectors; ++s) {
+    const float* const h = from.height_m + s;
+    const float* const g = from.slope + s;
+    const float* const hh = from.height_variance + s;
+    const float* const hg = from.covariance + s;
+    const float* const gg = from.slope_variance + s;
+    const float right = 1.0F / (hh[-1] + neighbour_variance);
+    const float self = 1.0F / hh[0];
+    const float left = 1.0F / (hh[1] + neighbour_variance);
+    const float rise_m = cross_slope[s] * width_m;
+    const float inverse = 1.0F / (right + self + left);
+    height_m[s] = (right * (h[-1] + rise_m) + self * h[0] + left * (h[1] - rise_m)) * inverse;
+    slope[s] = (right * g[-1] + self * g[0] + left * g[1]) * inverse;
+    const float mean_variance = (right * hh[-1] + self * hh[0] + left * hh[1]) * inverse;
+    const float shrink = measured[s] != 0 ? inverse / mean_variance : 1.0F;
+    const float scale = (shrink < 1.0F ? shrink : 1.0F) * inverse;
+    height_variance[s] = (right * hh[-1] + self * hh[0] + left * hh[1]) * scale;
+    covariance[s] = (right * hg[-1] + self * hg[0] + left * hg[1]) * scale;
+    slope_variance[s] = (right * gg[-1] + self * gg[0] + left * gg[1]) * scale;
+  }
+}
+
+/// Half of the old cross slope, half of what the neighbours' heights say now.
+BERM_MULTIVERSION
+void update_cross_slope(std::size_t sectors, float width_m, const float* __restrict height_m,
+                        float* __restrict cross_slope) {
+  const float scale = 0.5F / width_m;
+  for (std::size_t s = 0; s < sectors; ++s) {
+    const float seen = clamped((height_m[s + 1] - height_m[s - 1]) * scale, kMaxSlope);
+    cross_slope[s] = 0.5F * cross_slope[s] + 0.5F * seen;
+  }
+}
+
+void close_ring(std::vector<float>& ring) {
+  ring.front() = ring[ring.size() - 2];
+  ring.back() = ring[1];
+}
+
+}  // namespace
+
+TerrainFollower::TerrainFollower(const TerrainGroundConfig& config, const TerrainCells& cells)
+    : config_(config),
+      sectors_(cells.sectors),
+      bins_(cells.bins),
+      radians_per_sector_(2.0F * std::numbers::pi_v<float> / static_cast<float>(cells.sectors)) {
+  for (std::size_t b = 0; b + 1 < cells.edges_m.size(); ++b) {
+    middles_m_.push_back(0.5F * (cells.edges_m[b] + cells.edges_m[b + 1]));
+    lengths_m_.push_back(cells.edges_m[b + 1] - cells.edges_m[b]);
+  }
+  const std::size_t ring = static_cast<std::size_t>(sectors_) + 2;
+  for (Estimate* estimate : {&now_, &before_}) {
+    for (Ring* values : {&estimate->height_m, &estimate->slope, &estimate->height_variance, &estimate->covariance,
+                         &estimate->slope_variance}) {
+      values->resize(ring);
+    }
+  }
+  cross_slope_.resize(ring);
+  heights_m_.resize(cells.size());
+  cross_slopes_.resize(cells.size());
+  variances_m2_.resize(cells.size());
+  measured_.resize(cells.size());
+  has_object_.resize(cells.size());
+}
+
+void TerrainFollower::start(double plane_rms_m) {
+  const double misfit_m2 = plane_rms_m * plane_rms_m;
+  const auto fill = [](Ring& ring, double value) { std::fill(ring.begin(), ring.end(), static_cast<float>(value)); };
+  fill(now_.height_m, 0.0);
+  fill(now_.slope, 0.0);
+  fill(now_.height_variance, kStartVariance + kHeightShareOfMisfit * misfit_m2);
+  fill(now_.covariance, 0.0);
+  fill(now_.slope_variance, kStartVariance + kSlopeShareOfMisfit * misfit_m2);
+  fill(cross_slope_, 0.0);
+}
+
+void TerrainFollower::measure(const CellExtremes& extremes, int bin) {
+  const auto b = static_cast<std::size_t>(bin);
+  const std::size_t first = b * static_cast<std::size_t>(sectors_);
+  const float step_m = bin > 0 ? middles_m_[b] - middles_m_[b - 1] : middles_m_[b];
+  const auto as_float = [](double value) { return static_cast<float>(value); };
+  const BinStep numbers{.step_m = step_m,
+                        .length_m = lengths_m_[b],
+                        .width_m = middles_m_[b] * radians_per_sector_,
+                        .step_up_m = as_float(config_.step_up_m),
+                        .step_down_m = as_float(config_.step_down_m),
+                        .gate_sigmas = as_float(config_.gate_sigmas),
+                        .object_gate_sigmas = config_.strict_at_objects ? 0.0F : as_float(config_.gate_sigmas),
+                        .noise_m2 = as_float(config_.height_noise_m * config_.height_noise_m),
+                        .height_growth_m2 = as_float(config_.roughness_m * config_.roughness_m) * step_m,
+                        .slope_growth = as_float(config_.curvature * config_.curvature) * step_m,
+                        .object_height_m = as_float(config_.object_height_m),
+                        .usable = config_.follow && middles_m_[b] >= as_float(config_.min_range_m)};
+  predict_and_correct(static_cast<std::size_t>(sectors_), numbers, extremes.lowest_m.data() + first,
+                      extremes.highest_m.data() + first, cross_slope_.data() + 1, now_.height_m.data() + 1,
+                      now_.slope.data() + 1, now_.height_variance.data() + 1, now_.covariance.data() + 1,
+                      now_.slope_variance.data() + 1, measured_.data() + first, has_object_.data() + first);
+}
+
+void TerrainFollower::share(int bin) {
+  const auto b = static_cast<std::size_t>(bin);
+  const auto sectors = static_cast<std::size_t>(sectors_);
+  const float width_m = middles_m_[b] * radians_per_sector_;
+  if (config_.smooth) {
+    std::swap(now_, before_);
+    for (Ring* ring : {&before_.height_m, &before_.slope, &before_.height_variance, &before_.covariance,
+                       &before_.slope_variance}) {
+      close_ring(*ring);
+    }
+    const RingView from{before_.height_m.data() + 1, before_.slope.data() + 1, before_.height_variance.data() + 1,
+                        before_.covariance.data() + 1, before_.slope_variance.data() + 1};
+    average_neighbours(sectors, width_m, from, measured_.data() + b * sectors, cross_slope_.data() + 1,
+                       now_.height_m.data() + 1, now_.slope.data() + 1, now_.height_variance.data() + 1,
+                       now_.covariance.data() + 1, now_.slope_variance.data() + 1);
+  }
+  if (config_.cross_slope) {
+    close_ring(now_.height_m);
+    update_cross_slope(sectors, width_m, now_.height_m.data() + 1, cross_slope_.data() + 1);
+  }
+}
+
+void TerrainFollower::store(int bin) {
+  const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(bin) * sectors_;
+  const auto copy = [this, first](const Ring& from, std::vector<float>& to) {
+    std::copy_n(from.begin() + 1, sectors_, to.begin() + first);
+  };
+  copy(now_.height_m, heights_m_);
+  copy(cross_slope_, cross_slopes_);
+  copy(now_.height_variance, variances_m2_);
+}
+
+void TerrainFollower::follow(const CellExtremes& extremes, double plane_rms_m) {
+  start(plane_rms_m);
+  for (int bin = 0; bin < bins_; ++bin) {
+    measure(extremes, bin);
+    share(bin);
+    store(bin);
+  }
+}
+
+}  // namespace berm
