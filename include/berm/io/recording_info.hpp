@@ -83,9 +83,11 @@ struct RecordingInfo {
   StampSource stamp_source = StampSource::assumed_rate;
   std::optional<double> duration_s;  ///< from the start of the first scan to the start of the last; two scans at least
   std::optional<double> rate_hz;     ///< from the median distance of the stamps
+  double longest_step_s = 0.0;       ///< between the stamps of scans that follow each other
   std::uint64_t points = 0;
   Spread points_per_scan;
   std::vector<std::string> fields;    ///< as the first file spells them
+  std::vector<std::string> reading;   ///< what was chosen in reading the first file, one sentence each
   std::vector<std::string> channels;  ///< what berm takes from them: "xyz", "intensity", "time", "ring", "label"
   std::optional<Spread> range_m;      ///< of real returns
   std::optional<Spread> intensity;    ///< of real returns
@@ -96,7 +98,8 @@ struct RecordingInfo {
   double duplicate_share = 0.0;  ///< real returns at the very place of another of the same scan
   std::optional<RepeatedPoint> repeated_point;
   FiringOrder order = FiringOrder::unknown;
-  int interleaved_lines = 1;  ///< non_repeating: lasers that take turns
+  int interleaved_lines = 1;    ///< non_repeating: lasers that take turns
+  double turns_per_scan = 0.0;  ///< how far the azimuth turns from the first to the last point
   std::optional<RingCount> rings;
   std::optional<FieldOfView> field_of_view;
   SensorGuess sensor;
