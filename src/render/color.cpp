@@ -19,23 +19,24 @@ std::uint8_t mix_channel(std::uint8_t under, std::uint8_t over, double share) {
 }  // namespace
 
 Rgb label_color(Label label, Background background) {
-  // After the palette of Okabe and Ito, lighter on dark and darker on light ground.
+  // The hues of Okabe and Ito, moved until the closest two of the six are as far apart as they can be for people
+  // who lack one kind of cones. A grey for what has no label would look like the green to some.
   const bool dark = background == Background::dark;
   switch (label) {
     case Label::drivable:
-      return dark ? Rgb{32, 188, 160} : Rgb{0, 140, 120};
+      return dark ? Rgb{48, 180, 138} : Rgb{12, 108, 90};
     case Label::terrain:
-      return dark ? Rgb{240, 200, 80} : Rgb{216, 164, 20};
+      return dark ? Rgb{230, 190, 66} : Rgb{220, 164, 8};
     case Label::obstacle:
-      return dark ? Rgb{228, 82, 36} : Rgb{204, 64, 16};
+      return dark ? Rgb{216, 60, 36} : Rgb{190, 62, 8};
     case Label::falling_snow:
-      return dark ? Rgb{150, 210, 255} : Rgb{70, 160, 240};
+      return dark ? Rgb{176, 222, 250} : Rgb{70, 172, 250};
     case Label::no_return:
-      return dark ? Rgb{84, 88, 94} : Rgb{190, 192, 196};
+      return dark ? Rgb{82, 84, 88} : Rgb{172, 174, 178};
     case Label::unlabeled:
       break;
   }
-  return dark ? Rgb{150, 146, 156} : Rgb{116, 112, 122};
+  return dark ? Rgb{156, 116, 178} : Rgb{110, 84, 146};
 }
 
 const char* label_name(Label label) {

@@ -142,7 +142,9 @@ PointSize point_size(const DrawOptions& options, const Window& window, std::size
   if (size_px <= 0.0) {
     const double area_px = static_cast<double>(window.box.width()) * window.box.height();
     const double largest_px = 4.0 * std::max(options.width_px / 1600.0, 0.5);
-    size_px = std::clamp(std::sqrt(0.25 * area_px / std::max<double>(1.0, static_cast<double>(points))),
+    // In perspective much of the picture is sky, and points crowd on the rest.
+    const double cover = options.view == DrawView::perspective ? 0.5 : 0.25;
+    size_px = std::clamp(std::sqrt(cover * area_px / std::max<double>(1.0, static_cast<double>(points))),
                          0.4 * largest_px, largest_px);
   }
   if (options.view == DrawView::front) {
@@ -176,7 +178,7 @@ void paint_points(Image& image, const ClassedScan& scan, const FlatScan& flat, c
   const double log_distance = std::log(std::max((options.target_m - options.eye_m).norm(), 1e-3));
   for (std::size_t i = 0; i < flat.points.size(); ++i) {
     const FlatPoint& point = flat.points[i];
-    const double zoom = perspective ? std::clamp(std::exp(log_distance - point.depth), 0.75, 1.8) : 1.0;
+    const double zoom = perspective ? std::clamp(std::exp(log_distance - point.depth), 0.8, 2.0) : 1.0;
     const Rgb color = scaled != nullptr ? scale_color(scaled->share(i), options.background)
                                         : scan.classes[scan.class_of_point[flat.sources[i]]].color;
     canvas.add(window.pixel(point.h, point.v), size.width_px * zoom, size.height_px * zoom, point.depth, color);
@@ -233,7 +235,7 @@ Image draw(const ClassedScan& scan, const DrawOptions& options, bool by_class) {
   }
   paint_points(image, scan, flat, window, options, scaled);
   if (frame) {
-    draw_axes(image, options, window);
+    draw_axes(image, options, window, flattening);
   }
   return image;
 }

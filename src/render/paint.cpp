@@ -11,7 +11,7 @@ namespace berm {
 namespace {
 
 /// Width of a stroke of text in columns of the font's raster: neither thin nor clotted.
-constexpr double kStrokeColumns = 0.95;
+constexpr double kStrokeColumns = 1.05;
 
 struct Segment {
   PixelPoint from;

@@ -48,17 +48,25 @@ std::string axes_text(const DrawOptions& options, const Window& window) {
   return "x to the right, z up" + times + ", in m";
 }
 
+/// Rings of the perspective view.
+constexpr double kRingStep_m = 10.0;
+constexpr double kLastRing_m = 50.0;
+
+/// The middle of the rings: where the ground is if the base lies on it.
+Eigen::Vector3d below_sensor_m(const DrawOptions& options) {
+  return {options.T_base_sensor.translation_m().x(), options.T_base_sensor.translation_m().y(), 0.0};
+}
+
 void draw_rings(Image& image, const DrawOptions& options, const Window& window, const Flattening& flattening) {
   constexpr int kPieces = 256;
   const FrameSizes sizes(options);
   const FrameColors colors = frame_colors(options.background);
   const bool top = options.view == DrawView::top;
-  const double step_m = top ? tick_step(window, sizes) : 10.0;
+  const double step_m = top ? tick_step(window, sizes) : kRingStep_m;
   const double reach_m = top ? std::hypot(std::max(std::abs(window.h_min), std::abs(window.h_max)),
                                           std::max(std::abs(window.v_min), std::abs(window.v_max)))
-                             : 50.0;
-  const Eigen::Vector3d center_m{options.T_base_sensor.translation_m().x(), options.T_base_sensor.translation_m().y(),
-                                 0.0};
+                             : kLastRing_m;
+  const Eigen::Vector3d center_m = below_sensor_m(options);
   for (double radius_m = step_m; radius_m <= reach_m; radius_m += step_m) {
     std::optional<FlatPoint> last;
     for (int piece = 0; piece <= kPieces; ++piece) {
@@ -70,6 +78,26 @@ void draw_rings(Image& image, const DrawOptions& options, const Window& window, 
                   colors.grid, window.box);
       }
       last = flat;
+    }
+  }
+}
+
+/// Written at the rings to both sides of straight ahead, where fewer points lie than on the road.
+void draw_ring_distances(Image& image, const DrawOptions& options, const Window& window, const Flattening& flattening) {
+  const FrameSizes sizes(options);
+  const Rgb color = frame_colors(options.background).faint_text;
+  for (double radius_m = kRingStep_m; radius_m <= kLastRing_m; radius_m += kRingStep_m) {
+    for (const double angle : {0.18 * kPi, -0.18 * kPi}) {
+      const Eigen::Vector3d place_m =
+          below_sensor_m(options) + radius_m * Eigen::Vector3d{std::cos(angle), std::sin(angle), 0.0};
+      const std::optional<FlatPoint> flat = flattening.from_base(place_m);
+      if (!flat) {
+        continue;
+      }
+      const PixelPoint place = window.pixel(flat->h, flat->v);
+      if (place.v > window.box.top + sizes.text_px) {
+        draw_text(image, place, number_text(radius_m, 1.0) + " m", sizes.text_px, TextAnchor::center, color);
+      }
     }
   }
 }
@@ -239,8 +267,9 @@ void draw_grid(Image& image, const DrawOptions& options, const Window& window, c
   }
 }
 
-void draw_axes(Image& image, const DrawOptions& options, const Window& window) {
+void draw_axes(Image& image, const DrawOptions& options, const Window& window, const Flattening& flattening) {
   if (options.view == DrawView::perspective) {
+    draw_ring_distances(image, options, window, flattening);
     return;
   }
   const FrameSizes sizes(options);

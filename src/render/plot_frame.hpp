@@ -52,7 +52,8 @@ struct FrameSizes {
 /// Lines behind the points: rings of equal distance from the sensor (top, perspective) or a grid (side, front).
 void draw_grid(Image& image, const DrawOptions& options, const Window& window, const Flattening& flattening);
 
-/// What lies over and beside the points: border, ticks, scale bar, sensor, what the axes are.
-void draw_axes(Image& image, const DrawOptions& options, const Window& window);
+/// What lies over and beside the points: border, ticks, scale bar, sensor, what the axes are; in perspective how far
+/// the rings are.
+void draw_axes(Image& image, const DrawOptions& options, const Window& window, const Flattening& flattening);
 
 }  // namespace berm

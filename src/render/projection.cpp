@@ -18,7 +18,7 @@ constexpr double kNearest_m = 0.3;
 /// Without a range the picture leaves out this share of the points at each end: stray ones would make all else small.
 constexpr double kStrayShare = 0.015;
 /// How much larger than lengths the heights may be drawn. LiDAR scans are flat.
-constexpr double kMostExaggeration = 8.0;
+constexpr double kMostExaggeration = 5.0;
 
 Matrix3d look_at(const Vector3d& eye_m, const Vector3d& target_m) {
   const Vector3d ahead = (target_m - eye_m).normalized();
