@@ -53,6 +53,22 @@ double length_m(const Trajectory& trajectory) {
 
 }  // namespace
 
+std::string_view to_string(FiringOrder order) {
+  switch (order) {
+    case FiringOrder::column_wise:
+      return "spinning, column by column";
+    case FiringOrder::ring_wise:
+      return "spinning, ring by ring";
+    case FiringOrder::non_repeating:
+      return "non-repeating pattern";
+    case FiringOrder::unordered:
+      return "unordered";
+    case FiringOrder::unknown:
+      break;
+  }
+  return "unknown";
+}
+
 Inspector::Inspector(const Recording& recording) : recording_(recording) {
   info_.path = recording.path().string();
   info_.layout = recording.layout();
