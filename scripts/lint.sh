@@ -35,7 +35,8 @@ check_shell() { shellcheck -x scripts/*.sh tests/lint/*.sh .ci/run; }
 
 # Paths of one machine have no place in what others build.
 check_paths() {
-  if git grep -nE '(^|[^A-Za-z0-9_.~$}])/(home|root|work|Users|mnt|media)/' -- . ':!LICENSE' ':!scripts/lint.sh'; then
+  if grep -rnIE '(^|[^A-Za-z0-9_.~$}])/(home|root|work|Users|mnt|media)/' . \
+    --exclude-dir={.git,build,out,.cache} --exclude={LICENSE,lint.sh}; then
     echo "lint: absolute paths of a machine (above)" >&2
     return 1
   fi
