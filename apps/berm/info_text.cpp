@@ -1,6 +1,6 @@
 #include "info_text.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <iterator>
 #include <numbers>
 #include <string_view>
@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+constexpr double kRareClass = 0.001;
 constexpr std::size_t kTextWidth = 100;
 constexpr std::size_t kLabelWidth = 15;
 
@@ -144,12 +145,22 @@ std::string labels_text(const RecordingInfo& info) {
   for (const ClassCount& count : info.truth_classes) {
     all += count.points;
   }
+  std::vector<ClassCount> classes = info.truth_classes;
+  std::stable_sort(classes.begin(), classes.end(),
+                   [](const ClassCount& a, const ClassCount& b) { return a.points > b.points; });
   std::vector<std::string> parts;
-  for (const ClassCount& count : info.truth_classes) {
+  std::vector<std::string> rare;
+  for (const ClassCount& count : classes) {
+    const std::string name = fmt::format("{} {}", count.id, class_name(count.id));
     const double share = static_cast<double>(count.points) / static_cast<double>(all);
-    parts.push_back(fmt::format("{} {} {}", count.id, class_name(count.id), percent(share)));
+    if (share < kRareClass) {
+      rare.push_back(name);
+    } else {
+      parts.push_back(name + " " + percent(share));
+    }
   }
-  return fmt::format("{} of {} scans: {}", info.labelled_scans, info.scans_read, join(parts, ", "));
+  return fmt::format("{} of {} scans: {}{}{}", info.labelled_scans, info.scans_read, join(parts, ", "),
+                     rare.empty() ? "" : "; below 0.1 %: ", join(rare, ", "));
 }
 
 std::string poses_text(const PosesInfo& poses) {

@@ -59,11 +59,14 @@ constexpr std::array<PrismModel, 6> kPrismModels = {{
 }};
 
 constexpr double kElevationTolerance_deg = 1.5;
+/// Calibrated HDL-64E sets reach higher than their data sheet.
+constexpr double kTopTolerance_deg = 2.0;
 constexpr double kStaggerTolerance_deg = 0.05;
 /// Beams into the sky do not return, so that the uppermost rings can be missing.
 constexpr double kMinShareOfRings = 0.85;
 constexpr double kMinShareOfHeight = 0.55;
 constexpr double kWidthTolerance_deg = 2.0;
+constexpr double kHeightTolerance_deg = 3.0;
 /// Mid-360: -7 to 52 deg all around.
 constexpr double kMid360Low_deg = -7.0;
 constexpr double kMid360High_deg = 52.0;
@@ -76,15 +79,17 @@ std::string seen_elevations(double low_deg, double high_deg) {
 double misfit(const SpinningModel& model, int rings, double low_deg, double high_deg, double stagger_deg) {
   const bool possible =
       rings <= model.rings + 1 && rings >= kMinShareOfRings * model.rings &&
-      std::abs(low_deg - model.low_deg) <= kElevationTolerance_deg &&
-      high_deg <= model.high_deg + kElevationTolerance_deg &&
+      std::abs(low_deg - model.low_deg) <= kElevationTolerance_deg && high_deg <= model.high_deg + kTopTolerance_deg &&
       (model.stagger_deg == 0.0 || std::abs(stagger_deg - model.stagger_deg) <= kStaggerTolerance_deg);
   if (!possible) {
     return std::numeric_limits<double>::infinity();
   }
-  // A stagger that fits says more than a few missing rings.
-  const double missing_deg = model.stagger_deg > 0.0 ? 0.0 : std::max(0.0, model.high_deg - high_deg);
-  return std::abs(low_deg - model.low_deg) + 0.25 * missing_deg + 0.1 * std::abs(model.rings - rings);
+  // A stagger that fits says more than some missing rings.
+  if (model.stagger_deg > 0.0) {
+    return 0.0;
+  }
+  return std::abs(low_deg - model.low_deg) + 0.25 * std::max(0.0, model.high_deg - high_deg) +
+         0.1 * std::abs(model.rings - rings);
 }
 
 SensorGuess guess_spinning(const RingCount& rings, const FieldOfView& view, const BeamMotion& motion) {
@@ -131,7 +136,7 @@ SensorGuess guess_prism(const FieldOfView& view, int lines) {
                    "pattern that does not repeat", turns};
   for (const PrismModel& model : kPrismModels) {
     const bool fits = std::abs(width_deg - model.width_deg) <= kWidthTolerance_deg &&
-                      height_deg <= model.height_deg + kWidthTolerance_deg &&
+                      height_deg <= model.height_deg + kHeightTolerance_deg &&
                       height_deg >= kMinShareOfHeight * model.height_deg &&
                       (!model.circular || view.circular || height_deg < 0.9 * model.height_deg);
     if (fits) {
