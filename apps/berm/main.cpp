@@ -39,6 +39,7 @@ int run_program(int argc, char** argv) {
   app.footer(kExamples);
   app.set_version_flag("--version", "berm " + std::string(version()));
   app.require_subcommand(1);
+  add_info(app, exit_code);
   add_run(app, exit_code);
   add_eval(app, exit_code);
   add_draw(app, exit_code);

@@ -31,13 +31,13 @@ std::string did_you_mean(std::string_view text, const std::vector<std::string>& 
   for (const std::string& name : names) {
     const bool hopeless = name.size() > 2 * text.size() + 2 || text.size() > 2 * name.size() + 2;
     const bool extends = !text.empty() && (name.starts_with(text) || text.starts_with(name));
-    const std::size_t distance = hopeless ? best_distance : extends ? 1 : edit_distance(text, name);
+    const std::size_t distance = hopeless ? best_distance : extends ? 0 : edit_distance(text, name);
     if (distance < best_distance) {
       best_distance = distance;
       best = &name;
     }
   }
-  return best == nullptr ? std::string() : "; did you mean '" + *best + "'?";
+  return best == nullptr ? "." : ", did you mean '" + *best + "'?";
 }
 
 std::string enumerate(const std::vector<std::string>& names) {

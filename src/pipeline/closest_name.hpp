@@ -6,7 +6,8 @@
 
 namespace berm {
 
-/// "; did you mean 'NAME'?" for the name that is nearest to `text`, empty if none is near.
+/// End of a sentence about an unknown name: ", did you mean 'NAME'?" with the one of `names` that is nearest to `text`,
+/// "." if none is near.
 [[nodiscard]] std::string did_you_mean(std::string_view text, const std::vector<std::string>& names);
 
 /// "a, b or c"

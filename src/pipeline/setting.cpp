@@ -36,7 +36,7 @@ class SettingReader final : public YAML::EventHandler {
       fail(mark, "expected a key and found nothing");
     }
     if (depth_ == 2) {
-      throw ConfigError(place(mark), section_ + "." + key_, "has no value");
+      throw ConfigError(place(key_mark_), section_ + "." + key_, "has no value");
     }
     awaits_value_ = false;  // an empty section keeps the defaults
   }
@@ -92,6 +92,7 @@ class SettingReader final : public YAML::EventHandler {
   void start_key(const YAML::Mark& mark, const std::string& name) {
     std::string& current = depth_ == 1 ? section_ : key_;
     current = name;
+    key_mark_ = mark;
     const std::string full = depth_ == 1 ? name : section_ + "." + name;
     const auto [seen, is_new] = lines_.emplace(full, mark.line + 1);
     if (!is_new) {
@@ -122,6 +123,7 @@ class SettingReader final : public YAML::EventHandler {
   std::map<std::string, int> lines_;
   std::string section_;
   std::string key_;
+  YAML::Mark key_mark_;  ///< the parser reports a missing value where the next line begins
   int depth_ = 0;
   bool awaits_value_ = false;
   bool started_ = false;
