@@ -82,10 +82,22 @@ void draw_rings(Image& image, const DrawOptions& options, const Window& window, 
   }
 }
 
+/// Text with a rim in the colour of the ground, readable in the middle of points.
+void draw_text_apart(Image& image, PixelPoint place, const std::string& text, const FrameSizes& sizes,
+                     Background background) {
+  const FrameColors colors = frame_colors(background);
+  const double rim_px = 1.6 * sizes.unit_px;
+  for (const double du : {-rim_px, 0.0, rim_px}) {
+    for (const double dv : {-rim_px, 0.0, rim_px}) {
+      draw_text(image, {place.u + du, place.v + dv}, text, sizes.text_px, TextAnchor::center, colors.ground);
+    }
+  }
+  draw_text(image, place, text, sizes.text_px, TextAnchor::center, colors.faint_text);
+}
+
 /// Written at the rings to both sides of straight ahead, where fewer points lie than on the road.
 void draw_ring_distances(Image& image, const DrawOptions& options, const Window& window, const Flattening& flattening) {
   const FrameSizes sizes(options);
-  const Rgb color = frame_colors(options.background).faint_text;
   for (double radius_m = kRingStep_m; radius_m <= kLastRing_m; radius_m += kRingStep_m) {
     for (const double angle : {0.18 * kPi, -0.18 * kPi}) {
       const Eigen::Vector3d place_m =
@@ -96,7 +108,7 @@ void draw_ring_distances(Image& image, const DrawOptions& options, const Window&
       }
       const PixelPoint place = window.pixel(flat->h, flat->v);
       if (place.v > window.box.top + sizes.text_px) {
-        draw_text(image, place, number_text(radius_m, 1.0) + " m", sizes.text_px, TextAnchor::center, color);
+        draw_text_apart(image, place, number_text(radius_m, 1.0) + " m", sizes, options.background);
       }
     }
   }
