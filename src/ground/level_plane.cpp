@@ -24,7 +24,7 @@ constexpr float kReach_m = 20.0F;
 constexpr int kCells = 20;  // a side: 2 * kReach_m / kCell_m
 
 /// The lowest points come from about this many points: the plane does not need more.
-constexpr std::size_t kSamples = 8192;
+constexpr std::size_t kSamples = 16384;
 
 constexpr std::size_t kMinLowPoints = 10;
 constexpr int kHypotheses = 200;
@@ -124,7 +124,7 @@ void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen:
     if (low.z() < kNone) {
       x_.push_back(low.x()), y_.push_back(low.y()), z_.push_back(low.z());
       // Near: what a rough ground shows. Farther out a hill or a hollow leaves its tangent plane.
-      tolerance_m_.push_back(0.1F + 0.03F * std::hypot(low.x(), low.y()));
+      tolerance_m_.push_back(0.1F + 0.04F * std::hypot(low.x(), low.y()));
     }
   }
 }
@@ -166,8 +166,8 @@ LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float
   return best;
 }
 
-/// Least squares over the low points near the plane, with Cauchy weights; gives the root mean square of what belongs.
-double LevelPlaneFinder::refine(Plane& plane) const {
+/// Least squares over the low points near the plane, with Cauchy weights.
+void LevelPlaneFinder::refine(Plane& plane) const {
   for (int i = 0; i < kRefinements; ++i) {
     Moments moments;
     for (std::size_t k = 0; k < x_.size(); ++k) {
@@ -179,28 +179,39 @@ double LevelPlaneFinder::refine(Plane& plane) const {
     }
     const std::optional<PlaneFit> fit = fit_plane(moments);
     if (!fit) {
-      break;
+      return;
     }
     plane.normal = fit->normal.cast<float>();
     plane.height_m = static_cast<float>(-fit->normal.dot(fit->centroid_m));
   }
+}
+
+/// How well the low points fit the plane, and how near they come.
+LevelPlane LevelPlaneFinder::judge(const Plane& plane, const Matrix3d& R_base_sensor) const {
   double sum_m2 = 0.0;
+  double nearest_m2 = static_cast<double>(kReach_m * kReach_m);
   std::size_t count = 0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
-    const float distance = plane.normal.x() * x_[k] + plane.normal.y() * y_[k] + plane.normal.z() * z_[k] + plane.height_m;
-    if (std::fabs(distance) < tolerance_m_[k]) {
-      sum_m2 += static_cast<double>(distance) * static_cast<double>(distance);
+    const Vector3f p(x_[k], y_[k], z_[k]);
+    const double distance_m = static_cast<double>(plane.normal.dot(p) + plane.height_m);
+    if (std::fabs(distance_m) < static_cast<double>(tolerance_m_[k])) {
+      sum_m2 += distance_m * distance_m;
+      nearest_m2 = std::min(nearest_m2, static_cast<double>(p.squaredNorm()) - static_cast<double>(plane.height_m * plane.height_m));
       ++count;
     }
   }
-  return count > 0 ? std::sqrt(sum_m2 / static_cast<double>(count)) : 0.0;
+  const Vector3d normal_sensor = (R_base_sensor.transpose() * plane.normal.cast<double>()).normalized();
+  return {.T_level_sensor = level_frame(normal_sensor, static_cast<double>(plane.height_m)),
+          .rms_m = count > 0 ? std::sqrt(sum_m2 / static_cast<double>(count)) : 0.0,
+          .nearest_m = std::sqrt(std::max(0.0, nearest_m2)),
+          .found = true};
 }
 
 LevelPlane LevelPlaneFinder::find(const PointsView& points, const Pose& T_base_sensor,
                                   const TerrainGroundConfig& config) {
   const Matrix3d R_base_sensor = T_base_sensor.rotation().toRotationMatrix();
   const double mount_height_m = std::max(0.0, T_base_sensor.translation_m().z());
-  const LevelPlane by_mount{level_frame(R_base_sensor.row(2).transpose(), mount_height_m), 0.0, false};
+  const LevelPlane by_mount{.T_level_sensor = level_frame(R_base_sensor.row(2).transpose(), mount_height_m)};
   if (!config.level) {
     return by_mount;
   }
@@ -210,9 +221,8 @@ LevelPlane LevelPlaneFinder::find(const PointsView& points, const Pose& T_base_s
   }
   const double min_up = std::cos(config.max_tilt_deg * std::numbers::pi / 180.0);
   Plane plane = best_plane(static_cast<float>(mount_height_m), static_cast<float>(min_up));
-  const double rms_m = refine(plane);
-  const Vector3d normal_sensor = (R_base_sensor.transpose() * plane.normal.cast<double>()).normalized();
-  return {level_frame(normal_sensor, static_cast<double>(plane.height_m)), rms_m, true};
+  refine(plane);
+  return judge(plane, R_base_sensor);
 }
 
 }  // namespace berm

@@ -13,8 +13,9 @@ namespace berm {
 /// The plane of the ground around the sensor.
 struct LevelPlane {
   Pose T_level_sensor;       ///< origin below the sensor on the plane, z along its normal, x towards the sensor's x
-  double rms_m = 0.0;        ///< of the low points that belong to it
-  bool found = false;        ///< else the plane is what the mount says
+  double rms_m = 0.0;      ///< of the low points that belong to it
+  double nearest_m = 0.0;  ///< range of the nearest of them: the ground nearer than that is in the blind spot
+  bool found = false;      ///< else the plane is what the mount says
 };
 
 /// Finds the plane; keeps scratch memory between calls.
@@ -32,7 +33,8 @@ class LevelPlaneFinder {
   void collect_low_points(const PointsView& points, const Eigen::Matrix3f& R_base_sensor, float min_range_m);
   [[nodiscard]] Plane best_plane(float mount_height_m, float min_up) const;
   [[nodiscard]] float score(const Plane& plane) const;
-  [[nodiscard]] double refine(Plane& plane) const;
+  void refine(Plane& plane) const;
+  [[nodiscard]] LevelPlane judge(const Plane& plane, const Eigen::Matrix3d& R_base_sensor) const;
 
   std::vector<Eigen::Vector3f> lowest_;  ///< per cell of a square grid
   // The low points, base axes, origin in the sensor.

@@ -12,8 +12,8 @@ namespace {
 /// Variance of the plane's height and slope that stays however well the low points fit it, and the share of their mean
 /// square misfit that is added.
 constexpr double kStartVariance = 5e-4;
-constexpr double kHeightShareOfMisfit = 0.3;
-constexpr double kSlopeShareOfMisfit = 0.2;
+constexpr double kHeightShareOfMisfit = 1.0;
+constexpr double kSlopeShareOfMisfit = 0.1;
 
 /// A neighbour's height counts with this variance added, in m^2, and in m^2 per metre of distance to it.
 constexpr float kNeighbourVariance = 0.01F;
@@ -177,10 +177,10 @@ void TerrainFollower::start(double plane_rms_m) {
   fill(cross_slope_, 0.0);
 }
 
-void TerrainFollower::measure(const CellExtremes& extremes, int bin) {
+void TerrainFollower::measure(const CellExtremes& extremes, int bin, float blind_m) {
   const auto b = static_cast<std::size_t>(bin);
   const std::size_t first = b * static_cast<std::size_t>(sectors_);
-  const float step_m = bin > 0 ? middles_m_[b] - middles_m_[b - 1] : middles_m_[b];
+  const float step_m = bin > 0 && middles_m_[b] > blind_m ? middles_m_[b] - middles_m_[b - 1] : 0.0F;
   const auto as_float = [](double value) { return static_cast<float>(value); };
   const BinStep numbers{.step_m = step_m,
                         .length_m = lengths_m_[b],
@@ -232,10 +232,10 @@ void TerrainFollower::store(int bin) {
   copy(now_.height_variance, variances_m2_);
 }
 
-void TerrainFollower::follow(const CellExtremes& extremes, double plane_rms_m) {
+void TerrainFollower::follow(const CellExtremes& extremes, double plane_rms_m, double blind_m) {
   start(plane_rms_m);
   for (int bin = 0; bin < bins_; ++bin) {
-    measure(extremes, bin);
+    measure(extremes, bin, static_cast<float>(blind_m));
     share(bin);
     store(bin);
   }

@@ -24,8 +24,9 @@ class TerrainFollower {
  public:
   TerrainFollower(const TerrainGroundConfig& config, const TerrainCells& cells);
 
-  /// `plane_rms_m`: how well the low points around the sensor fit the levelled plane, which is where it starts.
-  void follow(const CellExtremes& extremes, double plane_rms_m);
+  /// `plane_rms_m`: how well the low points around the sensor fit the levelled plane, which is where it starts;
+  /// `blind_m`: nearer than this no ground is seen, and the plane says as much as it does at that distance.
+  void follow(const CellExtremes& extremes, double plane_rms_m, double blind_m);
 
   // The ground, one value per cell in the order of `TerrainCells`.
   [[nodiscard]] std::span<const float> heights_m() const { return heights_m_; }          ///< at the middle of the cell
@@ -47,7 +48,7 @@ class TerrainFollower {
   };
 
   void start(double plane_rms_m);
-  void measure(const CellExtremes& extremes, int bin);
+  void measure(const CellExtremes& extremes, int bin, float blind_m);
   void share(int bin);
   void store(int bin);
 

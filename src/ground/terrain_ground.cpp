@@ -1,15 +1,13 @@
 #include "berm/ground/terrain_ground.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "berm/core/error.hpp"
+#include "count_classes.hpp"
 #include "level_plane.hpp"
 #include "terrain_cells.hpp"
 #include "terrain_follower.hpp"
@@ -48,7 +46,7 @@ struct TerrainGround::State {
 
   void bin_points(const PointsView& points);
   void build_planes(const LevelFrame& frame);
-  void classify_points(const PointsView& points);
+  [[nodiscard]] GroundCounts classify_points(const PointsView& points);
   [[nodiscard]] float radial_slope(int bin, std::size_t cell) const;
 
   struct Direction {
@@ -138,41 +136,20 @@ void TerrainGround::State::build_planes(const LevelFrame& frame) {
   planes.back() = {0.0F, 0.0F, 0.0F, 1.0F};
 }
 
-void TerrainGround::State::classify_points(const PointsView& points) {
+GroundCounts TerrainGround::State::classify_points(const PointsView& points) {
   classes.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CellPlane& p = planes[cell_of_point[i]];
     const float above_m = p.nx * points.x[i] + p.ny * points.y[i] + p.nz * points.z[i] + p.d;
     classes[i] = above_m < 0.0F ? GroundClass::ground : GroundClass::not_ground;
   }
-}
-
-namespace {
-
-/// No-returns and bad points are in no cell; tells them apart from points that are merely far. Counts all.
-GroundCounts mark_unusable(const PointsView& points, std::span<const std::uint16_t> cell_of_point,
-                           std::size_t nowhere, std::span<GroundClass> classes) {
-  constexpr float kAbsurd_m = 1e4F;
-  std::array<std::size_t, 4> counts{};
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (cell_of_point[i] == nowhere) {
-      const float x = points.x[i];
-      const float y = points.y[i];
-      const float z = points.z[i];
-      const bool sane = std::fabs(x) < kAbsurd_m && std::fabs(y) < kAbsurd_m && std::fabs(z) < kAbsurd_m;
-      classes[i] = is_no_return(x, y, z) ? GroundClass::no_return
-                   : sane                ? GroundClass::not_ground
-                                         : GroundClass::invalid;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (cell_of_point[i] == cells.size()) {
+      classes[i] = class_of_stray(points.x[i], points.y[i], points.z[i]);
     }
-    ++counts[static_cast<std::size_t>(classes[i])];
   }
-  return {.ground = counts[static_cast<std::size_t>(GroundClass::ground)],
-          .not_ground = counts[static_cast<std::size_t>(GroundClass::not_ground)],
-          .no_return = counts[static_cast<std::size_t>(GroundClass::no_return)],
-          .invalid = counts[static_cast<std::size_t>(GroundClass::invalid)]};
+  return count_classes(classes);
 }
-
-}  // namespace
 
 TerrainGround::TerrainGround(const TerrainGroundConfig& config) : config_(config) {
   config_.check();
@@ -189,11 +166,10 @@ GroundResult TerrainGround::process(const PointsView& points, const Pose& T_base
   s.heights_m.resize(points.size());
   locate_points(points, frame, s.cells, s.cell_of_point, s.heights_m);
   s.bin_points(points);
-  s.follower.follow(s.extremes, plane.rms_m);
+  s.follower.follow(s.extremes, plane.rms_m, plane.nearest_m);
   s.surface.set_T_level_sensor(plane.T_level_sensor);
   s.build_planes(frame);
-  s.classify_points(points);
-  const GroundCounts counts = mark_unusable(points, s.cell_of_point, s.cells.size(), s.classes);
+  const GroundCounts counts = s.classify_points(points);
   return {.classes = s.classes, .surface = &s.surface, .counts = counts};
 }
 
