@@ -32,8 +32,8 @@ struct CellPlane {
 }  // namespace
 
 struct TerrainGround::State {
-  explicit State(const TerrainGroundConfig& config)
-      : config(config),
+  explicit State(const TerrainGroundConfig& chosen)
+      : config(chosen),
         cells(config.sectors, config.cell_m, config.max_range_m),
         follower(config, cells),
         surface(cells.grid()),
