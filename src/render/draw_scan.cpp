@@ -67,9 +67,9 @@ ClassedScan classed_by_label(const PointsView& points, std::span<const Label> la
   scan.points = points;
   std::array<std::uint8_t, 256> class_of_label{};
   class_of_label.fill(kNotDrawn);
-  for (std::uint8_t k = 0; k < kLabels.size(); ++k) {
-    class_of_label[static_cast<std::uint8_t>(kLabels[k])] = k;
-    scan.classes.push_back({label_name(kLabels[k]), label_color(kLabels[k], background)});
+  for (const Label label : kLabels) {
+    class_of_label[static_cast<std::uint8_t>(label)] = static_cast<std::uint8_t>(scan.classes.size());
+    scan.classes.push_back({label_name(label), label_color(label, background)});
   }
   scan.no_return = class_of_label[static_cast<std::uint8_t>(Label::no_return)];
   scan.invalid = static_cast<std::uint8_t>(scan.classes.size());

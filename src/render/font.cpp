@@ -120,7 +120,8 @@ bool has_node(std::string_view rows, int column, int row) {
   if (column < 0 || column >= kColumns || row < 0 || row >= kRows) {
     return false;
   }
-  const auto place = static_cast<std::size_t>(row * (kColumns + 1) + column);
+  const auto line = static_cast<std::size_t>(row) * (kColumns + 1);
+  const std::size_t place = line + static_cast<std::size_t>(column);
   return place < rows.size() && rows[place] == '#';
 }
 
