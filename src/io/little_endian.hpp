@@ -11,7 +11,7 @@ static_assert(std::endian::native == std::endian::little, "files are little-endi
 /// The value at `bytes`, which need not be aligned.
 template <typename Value>
 [[nodiscard]] Value load(const std::byte* bytes) {
-  Value value;
+  Value value{};
   std::memcpy(&value, bytes, sizeof(Value));
   return value;
 }

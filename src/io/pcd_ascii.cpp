@@ -104,6 +104,7 @@ class AsciiReader {
 
   void read(PcdDecoder& decoder) {
     std::vector<PcdColumn> columns;
+    columns.reserve(plan_.channels.size());
     for (const auto& [channel, field] : plan_.channels) {
       columns.push_back({block_.data() + steps_[field].offset, record_bytes_});
     }

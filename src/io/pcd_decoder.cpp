@@ -74,12 +74,10 @@ std::optional<Label> label_from_id(double id) {
 PcdDecoder::PcdDecoder(const PcdHeader& header, const PcdPlan& plan, const std::string& name, PointChannels reuse)
     : header_(header), plan_(plan), name_(name) {
   record_.channels = std::move(reuse);
-  std::vector<PcdChannel> wanted;
-  for (const auto& [channel, field] : plan.channels) {
-    wanted.push_back(channel);
-  }
-  const auto size_of = [&](PcdChannel channel) {
-    return std::find(wanted.begin(), wanted.end(), channel) == wanted.end() ? 0 : header.points;
+  const auto size_of = [&](PcdChannel wanted) {
+    const bool planned = std::any_of(plan.channels.begin(), plan.channels.end(),
+                                     [&](const PcdPlannedChannel& entry) { return entry.channel == wanted; });
+    return planned ? header.points : 0;
   };
   PointChannels& channels = record_.channels;
   channels.x.resize(header.points);
@@ -92,6 +90,7 @@ PcdDecoder::PcdDecoder(const PcdHeader& header, const PcdPlan& plan, const std::
   if (is_absolute(plan.time_unit)) {
     stamps_ns_.resize(channels.time.size());
   }
+  record_.fields.reserve(header.fields.size());
   for (const PcdField& field : header.fields) {
     record_.fields.push_back(field.name);
   }

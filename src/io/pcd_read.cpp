@@ -85,6 +85,7 @@ class PcdReader {
     note_rest(body().size() - header_.points * header_.point_bytes);
     start(std::move(reuse), 0);
     std::vector<PcdColumn> columns;
+    columns.reserve(plan_.channels.size());
     for (const auto& [channel, field] : plan_.channels) {
       columns.push_back({body().data() + header_.fields[field].offset, header_.point_bytes});
     }
@@ -99,6 +100,7 @@ class PcdReader {
     const std::vector<std::byte> plain = decompress();
     start(std::move(reuse), plain.size());
     std::vector<PcdColumn> columns;
+    columns.reserve(plan_.channels.size());
     for (const auto& [channel, field] : plan_.channels) {
       // Field after field, each with its values for all points.
       const PcdField& column = header_.fields[field];
