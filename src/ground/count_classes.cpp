@@ -1,6 +1,6 @@
 #include "count_classes.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -21,15 +21,13 @@ GroundClass class_of_stray(float x_m, float y_m, float z_m) {
 }
 
 GroundCounts count_classes(std::span<const GroundClass> classes) {
-  std::array<std::size_t, 4> counts{};
-  for (const GroundClass c : classes) {
-    ++counts[static_cast<std::size_t>(c)];
-  }
-  const auto of = [&counts](GroundClass c) { return counts[static_cast<std::size_t>(c)]; };
-  return {.ground = of(GroundClass::ground),
-          .not_ground = of(GroundClass::not_ground),
-          .no_return = of(GroundClass::no_return),
-          .invalid = of(GroundClass::invalid)};
+  const auto count = [classes](GroundClass wanted) {
+    return static_cast<std::size_t>(std::count(classes.begin(), classes.end(), wanted));
+  };
+  return {.ground = count(GroundClass::ground),
+          .not_ground = count(GroundClass::not_ground),
+          .no_return = count(GroundClass::no_return),
+          .invalid = count(GroundClass::invalid)};
 }
 
 }  // namespace berm

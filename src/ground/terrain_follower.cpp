@@ -135,6 +135,16 @@ void update_cross_slope(std::size_t sectors, float width_m, const float* __restr
   }
 }
 
+/// Slope outward in a bin: between the heights of the bins before and behind, `distance_m` apart.
+BERM_MULTIVERSION
+void difference(std::size_t sectors, float distance_m, const float* __restrict inner_m, const float* __restrict outer_m,
+                float* __restrict slope) {
+  const float inverse = 1.0F / distance_m;
+  for (std::size_t s = 0; s < sectors; ++s) {
+    slope[s] = (outer_m[s] - inner_m[s]) * inverse;
+  }
+}
+
 void close_ring(std::vector<float>& ring) {
   ring.front() = ring[ring.size() - 2];
   ring.back() = ring[1];
@@ -144,26 +154,19 @@ void close_ring(std::vector<float>& ring) {
 
 TerrainFollower::TerrainFollower(const TerrainGroundConfig& config, const TerrainCells& cells)
     : config_(config),
-      sectors_(cells.sectors),
-      bins_(cells.bins),
+      sectors_(static_cast<std::size_t>(cells.sectors)),
       radians_per_sector_(2.0F * std::numbers::pi_v<float> / static_cast<float>(cells.sectors)) {
   for (std::size_t b = 0; b + 1 < cells.edges_m.size(); ++b) {
     middles_m_.push_back(0.5F * (cells.edges_m[b] + cells.edges_m[b + 1]));
     lengths_m_.push_back(cells.edges_m[b + 1] - cells.edges_m[b]);
   }
-  const std::size_t ring = static_cast<std::size_t>(sectors_) + 2;
   for (Estimate* estimate : {&now_, &before_}) {
-    for (Ring* values : {&estimate->height_m, &estimate->slope, &estimate->height_variance, &estimate->covariance,
-                         &estimate->slope_variance}) {
-      values->resize(ring);
+    for (Ring* ring : {&estimate->height_m, &estimate->slope, &estimate->height_variance, &estimate->covariance,
+                       &estimate->slope_variance}) {
+      ring->resize(sectors_ + 2);
     }
   }
-  cross_slope_.resize(ring);
-  heights_m_.resize(cells.size());
-  cross_slopes_.resize(cells.size());
-  variances_m2_.resize(cells.size());
-  measured_.resize(cells.size());
-  has_object_.resize(cells.size());
+  cross_slope_.resize(sectors_ + 2);
 }
 
 void TerrainFollower::start(double plane_rms_m) {
@@ -177,14 +180,13 @@ void TerrainFollower::start(double plane_rms_m) {
   fill(cross_slope_, 0.0);
 }
 
-void TerrainFollower::measure(const CellExtremes& extremes, int bin, float blind_m) {
-  const auto b = static_cast<std::size_t>(bin);
-  const std::size_t first = b * static_cast<std::size_t>(sectors_);
-  const float step_m = bin > 0 && middles_m_[b] > blind_m ? middles_m_[b] - middles_m_[b - 1] : 0.0F;
+void TerrainFollower::measure(const CellExtremes& extremes, std::size_t bin, float blind_m, std::uint8_t* measured,
+                              std::uint8_t* has_object) {
   const auto as_float = [](double value) { return static_cast<float>(value); };
+  const float step_m = bin > 0 && middles_m_[bin] > blind_m ? middles_m_[bin] - middles_m_[bin - 1] : 0.0F;
   const BinStep numbers{.step_m = step_m,
-                        .length_m = lengths_m_[b],
-                        .width_m = middles_m_[b] * radians_per_sector_,
+                        .length_m = lengths_m_[bin],
+                        .width_m = middles_m_[bin] * radians_per_sector_,
                         .step_up_m = as_float(config_.step_up_m),
                         .step_down_m = as_float(config_.step_down_m),
                         .gate_sigmas = as_float(config_.gate_sigmas),
@@ -193,17 +195,16 @@ void TerrainFollower::measure(const CellExtremes& extremes, int bin, float blind
                         .height_growth_m2 = as_float(config_.roughness_m * config_.roughness_m) * step_m,
                         .slope_growth = as_float(config_.curvature * config_.curvature) * step_m,
                         .object_height_m = as_float(config_.object_height_m),
-                        .usable = config_.follow && middles_m_[b] >= as_float(config_.min_range_m)};
-  predict_and_correct(static_cast<std::size_t>(sectors_), numbers, extremes.lowest_m.data() + first,
-                      extremes.highest_m.data() + first, cross_slope_.data() + 1, now_.height_m.data() + 1,
-                      now_.slope.data() + 1, now_.height_variance.data() + 1, now_.covariance.data() + 1,
-                      now_.slope_variance.data() + 1, measured_.data() + first, has_object_.data() + first);
+                        .usable = config_.follow && middles_m_[bin] >= as_float(config_.min_range_m)};
+  const std::size_t first = bin * sectors_;
+  predict_and_correct(sectors_, numbers, extremes.lowest_m.data() + first, extremes.highest_m.data() + first,
+                      cross_slope_.data() + 1, now_.height_m.data() + 1, now_.slope.data() + 1,
+                      now_.height_variance.data() + 1, now_.covariance.data() + 1, now_.slope_variance.data() + 1,
+                      measured, has_object);
 }
 
-void TerrainFollower::share(int bin) {
-  const auto b = static_cast<std::size_t>(bin);
-  const auto sectors = static_cast<std::size_t>(sectors_);
-  const float width_m = middles_m_[b] * radians_per_sector_;
+void TerrainFollower::share(std::size_t bin, const std::uint8_t* measured) {
+  const float width_m = middles_m_[bin] * radians_per_sector_;
   if (config_.smooth) {
     std::swap(now_, before_);
     for (Ring* ring : {&before_.height_m, &before_.slope, &before_.height_variance, &before_.covariance,
@@ -212,33 +213,45 @@ void TerrainFollower::share(int bin) {
     }
     const RingView from{before_.height_m.data() + 1, before_.slope.data() + 1, before_.height_variance.data() + 1,
                         before_.covariance.data() + 1, before_.slope_variance.data() + 1};
-    average_neighbours(sectors, width_m, from, measured_.data() + b * sectors, cross_slope_.data() + 1,
-                       now_.height_m.data() + 1, now_.slope.data() + 1, now_.height_variance.data() + 1,
-                       now_.covariance.data() + 1, now_.slope_variance.data() + 1);
+    average_neighbours(sectors_, width_m, from, measured, cross_slope_.data() + 1, now_.height_m.data() + 1,
+                       now_.slope.data() + 1, now_.height_variance.data() + 1, now_.covariance.data() + 1,
+                       now_.slope_variance.data() + 1);
   }
   if (config_.cross_slope) {
     close_ring(now_.height_m);
-    update_cross_slope(sectors, width_m, now_.height_m.data() + 1, cross_slope_.data() + 1);
+    update_cross_slope(sectors_, width_m, now_.height_m.data() + 1, cross_slope_.data() + 1);
   }
 }
 
-void TerrainFollower::store(int bin) {
-  const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(bin) * sectors_;
-  const auto copy = [this, first](const Ring& from, std::vector<float>& to) {
-    std::copy_n(from.begin() + 1, sectors_, to.begin() + first);
+void TerrainFollower::store(std::size_t bin, HeightGrid::Channels& surface) const {
+  const auto copy = [this, bin](const Ring& from, std::vector<float>& to) {
+    std::copy_n(from.data() + 1, sectors_, to.data() + bin * sectors_);
   };
-  copy(now_.height_m, heights_m_);
-  copy(cross_slope_, cross_slopes_);
-  copy(now_.height_variance, variances_m2_);
+  copy(now_.height_m, surface.height_m);
+  copy(cross_slope_, surface.lateral_slope);
+  copy(now_.height_variance, surface.variance_m2);
 }
 
-void TerrainFollower::follow(const CellExtremes& extremes, double plane_rms_m, double blind_m) {
-  start(plane_rms_m);
-  for (int bin = 0; bin < bins_; ++bin) {
-    measure(extremes, bin, static_cast<float>(blind_m));
-    share(bin);
-    store(bin);
+/// The slopes that the heights have in the end; the filters' own lag behind where the ground bends.
+void TerrainFollower::slope_outward(HeightGrid::Channels& surface) const {
+  for (std::size_t bin = 0; bin < middles_m_.size(); ++bin) {
+    const std::size_t inner = bin > 0 ? bin - 1 : bin;
+    const std::size_t outer = std::min(bin + 1, middles_m_.size() - 1);
+    difference(sectors_, middles_m_[outer] - middles_m_[inner], surface.height_m.data() + inner * sectors_,
+               surface.height_m.data() + outer * sectors_, surface.radial_slope.data() + bin * sectors_);
   }
+}
+
+void TerrainFollower::follow(const CellExtremes& extremes, double plane_rms_m, double blind_m,
+                             HeightGrid::Channels& surface, std::span<std::uint8_t> has_object) {
+  start(plane_rms_m);
+  for (std::size_t bin = 0; bin < middles_m_.size(); ++bin) {
+    std::uint8_t* const measured = surface.measured.data() + bin * sectors_;
+    measure(extremes, bin, static_cast<float>(blind_m), measured, has_object.data() + bin * sectors_);
+    share(bin, measured);
+    store(bin, surface);
+  }
+  slope_outward(surface);
 }
 
 }  // namespace berm

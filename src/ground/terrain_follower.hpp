@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "berm/geometry/height_grid.hpp"
 #include "berm/ground/terrain_ground.hpp"
 #include "terrain_cells.hpp"
 
@@ -26,14 +27,9 @@ class TerrainFollower {
 
   /// `plane_rms_m`: how well the low points around the sensor fit the levelled plane, which is where it starts;
   /// `blind_m`: nearer than this no ground is seen, and the plane says as much as it does at that distance.
-  void follow(const CellExtremes& extremes, double plane_rms_m, double blind_m);
-
-  // The ground, one value per cell in the order of `TerrainCells`.
-  [[nodiscard]] std::span<const float> heights_m() const { return heights_m_; }          ///< at the middle of the cell
-  [[nodiscard]] std::span<const float> cross_slopes() const { return cross_slopes_; }    ///< rise per metre leftward
-  [[nodiscard]] std::span<const float> variances_m2() const { return variances_m2_; }
-  [[nodiscard]] std::span<const std::uint8_t> measured() const { return measured_; }     ///< 1: the ground was seen
-  [[nodiscard]] std::span<const std::uint8_t> has_object() const { return has_object_; } ///< 1: something high is there
+  /// Fills all channels of `surface`, and `has_object` with 1 for cells that hold something high.
+  void follow(const CellExtremes& extremes, double plane_rms_m, double blind_m, HeightGrid::Channels& surface,
+              std::span<std::uint8_t> has_object);
 
  private:
   /// One value per sector, and a copy of the last before the first and of the first behind the last.
@@ -48,13 +44,14 @@ class TerrainFollower {
   };
 
   void start(double plane_rms_m);
-  void measure(const CellExtremes& extremes, int bin, float blind_m);
-  void share(int bin);
-  void store(int bin);
+  void measure(const CellExtremes& extremes, std::size_t bin, float blind_m, std::uint8_t* measured,
+               std::uint8_t* has_object);
+  void share(std::size_t bin, const std::uint8_t* measured);
+  void store(std::size_t bin, HeightGrid::Channels& surface) const;
+  void slope_outward(HeightGrid::Channels& surface) const;
 
   TerrainGroundConfig config_;
-  int sectors_;
-  int bins_;
+  std::size_t sectors_;
   std::vector<float> middles_m_;
   std::vector<float> lengths_m_;
   float radians_per_sector_;
@@ -62,12 +59,6 @@ class TerrainFollower {
   Estimate now_;
   Estimate before_;
   Ring cross_slope_;
-
-  std::vector<float> heights_m_;
-  std::vector<float> cross_slopes_;
-  std::vector<float> variances_m2_;
-  std::vector<std::uint8_t> measured_;
-  std::vector<std::uint8_t> has_object_;
 };
 
 }  // namespace berm

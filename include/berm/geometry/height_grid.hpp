@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,15 +31,30 @@ class HeightGrid {
     bool measured = false;       ///< whether the ground was seen here; else it is carried on from cells that were
   };
 
+  /// The same, one array each for all cells: all sectors of the nearest bin, then those of the next.
+  struct Channels {
+    std::vector<float> height_m;
+    std::vector<float> radial_slope;
+    std::vector<float> lateral_slope;
+    std::vector<float> variance_m2;
+    std::vector<std::uint8_t> measured;
+  };
+
   explicit HeightGrid(PolarGrid grid);
 
   [[nodiscard]] const PolarGrid& grid() const { return grid_; }
   [[nodiscard]] const Pose& T_level_sensor() const { return T_level_sensor_; }
   void set_T_level_sensor(const Pose& T_level_sensor) { T_level_sensor_ = T_level_sensor; }
 
-  /// `cell` must be of `grid()`.
-  [[nodiscard]] const Cell& cell(PolarCell cell) const { return cells_[grid_.offset(cell)]; }
-  [[nodiscard]] Cell& cell(PolarCell cell) { return cells_[grid_.offset(cell)]; }
+  /// For whoever fills the grid; the lengths must stay.
+  [[nodiscard]] Channels& channels() { return channels_; }
+  [[nodiscard]] const Channels& channels() const { return channels_; }
+  /// Place of a cell in the channels; `cell` must be of `grid()`.
+  [[nodiscard]] std::size_t offset(PolarCell cell) const {
+    return static_cast<std::size_t>(cell.bin) * static_cast<std::size_t>(grid_.sectors()) +
+           static_cast<std::size_t>(cell.sector);
+  }
+  [[nodiscard]] Cell cell(PolarCell cell) const;
 
   /// The ground at a place of the levelled frame; none outside of the grid and for NaN.
   [[nodiscard]] std::optional<HeightEstimate> at(double x_m, double y_m) const;
@@ -49,7 +65,7 @@ class HeightGrid {
  private:
   PolarGrid grid_;
   Pose T_level_sensor_;
-  std::vector<Cell> cells_;
+  Channels channels_;
 };
 
 }  // namespace berm
