@@ -141,7 +141,7 @@ void append_seconds(std::string& text, Stamp stamp_ns) {
   constexpr std::uint64_t kPerSecond = 1'000'000'000;
   const bool negative = stamp_ns < 0;
   // Unsigned negation, since the smallest stamp has no positive counterpart.
-  const std::uint64_t bits = static_cast<std::uint64_t>(stamp_ns);
+  const auto bits = static_cast<std::uint64_t>(stamp_ns);
   const std::uint64_t magnitude = negative ? std::uint64_t{0} - bits : bits;
   const std::string fraction = std::to_string(magnitude % kPerSecond);
   text += negative ? "-" : "";
