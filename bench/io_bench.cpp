@@ -67,11 +67,10 @@ const bool kRegistered = [] {
       read_bin_file(state, scan(name));
     })->Unit(benchmark::kMicrosecond);
     for (const auto& [reader, encoding] : encodings) {
-      benchmark::RegisterBenchmark((std::string(reader) + "/" + name).c_str(),
-                                   [name, encoding = encoding](benchmark::State& state) {
-                                     read_pcd_file(state, scan(name), encoding);
-                                   })
-          ->Unit(benchmark::kMicrosecond);
+      benchmark::RegisterBenchmark((std::string(reader) + "/" + name).c_str(), [name, encoding = encoding](
+                                                                                   benchmark::State& state) {
+        read_pcd_file(state, scan(name), encoding);
+      })->Unit(benchmark::kMicrosecond);
     }
   }
   return true;

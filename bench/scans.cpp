@@ -36,7 +36,9 @@ std::filesystem::path data_folder() {
   return folder != nullptr ? folder : "";
 }
 
-Pose mount(double height_m) { return Pose::from_yaw_pitch_roll(0.0, 0.0, 0.0, {0.0, 0.0, height_m}); }
+Pose mount(double height_m) {
+  return Pose::from_yaw_pitch_roll(0.0, 0.0, 0.0, {0.0, 0.0, height_m});
+}
 
 BenchScan make_scan(const Spinner& spinner) {
   constexpr double kHeight_m = 1.73;

@@ -73,16 +73,21 @@ void CellPlanes::build(const HeightGrid::Channels& surface, std::span<const std:
   }
 }
 
-void CellPlanes::classify(const PointsView& points, std::span<const std::uint16_t> cell_of_point,
-                          std::span<GroundClass> classes) const {
+std::size_t CellPlanes::classify(const PointsView& points, std::span<const std::uint16_t> cell_of_point,
+                                 std::span<GroundClass> classes) const {
+  static_assert(static_cast<int>(GroundClass::not_ground) == 0 && static_cast<int>(GroundClass::ground) == 1);
   const float* const x = points.x.data();
   const float* const y = points.y.data();
   const float* const z = points.z.data();
+  std::size_t ground = 0;
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const Plane& p = planes_[cell_of_point[i]];
     const float above_m = p.nx * x[i] + p.ny * y[i] + p.nz * z[i] + p.d;
-    classes[i] = above_m < 0.0F ? GroundClass::ground : GroundClass::not_ground;
+    const int below = above_m < 0.0F ? 1 : 0;
+    classes[i] = static_cast<GroundClass>(below);
+    ground += static_cast<std::size_t>(below);
   }
+  return ground;
 }
 
 }  // namespace berm

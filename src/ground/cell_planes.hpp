@@ -24,8 +24,9 @@ class CellPlanes {
              float bare_m, float object_m);
 
   /// Says `ground` of points below the plane of their cell and `not_ground` of all others, those of no cell included.
-  void classify(const PointsView& points, std::span<const std::uint16_t> cell_of_point,
-                std::span<GroundClass> classes) const;
+  /// Gives the number of ground points.
+  std::size_t classify(const PointsView& points, std::span<const std::uint16_t> cell_of_point,
+                       std::span<GroundClass> classes) const;
 
  private:
   /// Points with nx x + ny y + nz z + d < 0 lie below.

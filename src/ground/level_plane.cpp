@@ -114,7 +114,8 @@ void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen:
     }
     const int column = static_cast<int>((p.x() + kReach_m) / kCell_m);
     const int row = static_cast<int>((p.y() + kReach_m) / kCell_m);
-    Vector3f& low = lowest_[static_cast<std::size_t>(std::min(row, kCells - 1) * kCells + std::min(column, kCells - 1))];
+    Vector3f& low =
+        lowest_[static_cast<std::size_t>(std::min(row, kCells - 1) * kCells + std::min(column, kCells - 1))];
     if (p.z() < low.z()) {
       low = p;
     }
@@ -130,8 +131,8 @@ void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen:
 }
 
 float LevelPlaneFinder::score(const Plane& plane) const {
-  return sum_scores(x_.data(), y_.data(), z_.data(), tolerance_m_.data(), x_.size(), plane.normal.x(),
-                    plane.normal.y(), plane.normal.z(), plane.height_m);
+  return sum_scores(x_.data(), y_.data(), z_.data(), tolerance_m_.data(), x_.size(), plane.normal.x(), plane.normal.y(),
+                    plane.normal.z(), plane.height_m);
 }
 
 LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float min_up) const {
@@ -196,7 +197,8 @@ LevelPlane LevelPlaneFinder::judge(const Plane& plane, const Matrix3d& R_base_se
     const double distance_m = static_cast<double>(plane.normal.dot(p) + plane.height_m);
     if (std::fabs(distance_m) < static_cast<double>(tolerance_m_[k])) {
       sum_m2 += distance_m * distance_m;
-      nearest_m2 = std::min(nearest_m2, static_cast<double>(p.squaredNorm()) - static_cast<double>(plane.height_m * plane.height_m));
+      nearest_m2 = std::min(
+          nearest_m2, static_cast<double>(p.squaredNorm()) - static_cast<double>(plane.height_m * plane.height_m));
       ++count;
     }
   }

@@ -12,7 +12,7 @@ namespace berm {
 
 /// The plane of the ground around the sensor.
 struct LevelPlane {
-  Pose T_level_sensor;       ///< origin below the sensor on the plane, z along its normal, x towards the sensor's x
+  Pose T_level_sensor;     ///< origin below the sensor on the plane, z along its normal, x towards the sensor's x
   double rms_m = 0.0;      ///< of the low points that belong to it
   double nearest_m = 0.0;  ///< range of the nearest of them: the ground nearer than that is in the blind spot
   bool found = false;      ///< else the plane is what the mount says
@@ -21,8 +21,7 @@ struct LevelPlane {
 /// Finds the plane; keeps scratch memory between calls.
 class LevelPlaneFinder {
  public:
-  [[nodiscard]] LevelPlane find(const PointsView& points, const Pose& T_base_sensor,
-                                const TerrainGroundConfig& config);
+  [[nodiscard]] LevelPlane find(const PointsView& points, const Pose& T_base_sensor, const TerrainGroundConfig& config);
 
  private:
   struct Plane {

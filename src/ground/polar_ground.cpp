@@ -15,7 +15,9 @@ namespace {
 /// A cell without points keeps a lowest point that lies above every T_hmax.
 constexpr float kNoPoint_m = std::numeric_limits<float>::max();
 
-float as_float(double value) { return static_cast<float>(value); }
+float as_float(double value) {
+  return static_cast<float>(value);
+}
 
 void check_order(const char* key, double low, double high) {
   if (!(low < high)) {
@@ -134,8 +136,8 @@ void PolarGround::check_consistency() {
       Cell& here = cell(channel, bin);
       const Cell& next = cell(channel, bin + 1);
       const Cell& second = cell(channel, bin + 2);
-      if (!(before.is_ground && here.is_ground && next.is_ground && second.is_ground) ||
-          before.height_m == stuck_m || here.height_m != stuck_m) {
+      if (!(before.is_ground && here.is_ground && next.is_ground && second.is_ground) || before.height_m == stuck_m ||
+          here.height_m != stuck_m) {
         continue;
       }
       if (next.height_m != stuck_m) {

@@ -61,8 +61,8 @@ void locate(const float* __restrict x, const float* __restrict y, const float* _
     const float turn = inside ? (azimuth + kPi) * l.sectors_per_rad : 0.0F;
     const float shifted_m = (inside ? range : 0.0F) + kShift_m;
     const int sector = static_cast<int>(turn);
-    const int bin = static_cast<int>(static_cast<float>(std::bit_cast<std::int32_t>(shifted_m) - kShiftBits) *
-                                     l.bins_per_bit);
+    const int bin =
+        static_cast<int>(static_cast<float>(std::bit_cast<std::int32_t>(shifted_m) - kShiftBits) * l.bins_per_bit);
     const int wrapped = sector < l.sectors ? sector : 0;
     const int kept = bin < l.last_bin ? bin : l.last_bin;  // rounding at the outermost edge
     cell[i] = static_cast<std::uint16_t>(inside ? kept * l.sectors + wrapped : l.nowhere);

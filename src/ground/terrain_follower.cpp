@@ -35,9 +35,9 @@ float clamped(float value, float limit) {
 
 /// Numbers that hold for one bin.
 struct BinStep {
-  float step_m;       ///< from the middle of the bin before
-  float length_m;     ///< of the cells
-  float width_m;      ///< of the cells, across the sector
+  float step_m;    ///< from the middle of the bin before
+  float length_m;  ///< of the cells
+  float width_m;   ///< of the cells, across the sector
   float step_up_m;
   float step_down_m;
   float gate_sigmas;
@@ -46,7 +46,7 @@ struct BinStep {
   float height_growth_m2;  ///< variance that the height gains by roughness on this step
   float slope_growth;      ///< variance that the slope gains by curvature
   float object_height_m;
-  bool usable;             ///< far enough from the sensor to shape the ground
+  bool usable;  ///< far enough from the sensor to shape the ground
 };
 
 /// Predicts every sector to the bin and corrects it by the cell's lowest point, if that passes the gate.
@@ -207,8 +207,8 @@ void TerrainFollower::share(std::size_t bin, const std::uint8_t* measured) {
   const float width_m = middles_m_[bin] * radians_per_sector_;
   if (config_.smooth) {
     std::swap(now_, before_);
-    for (Ring* ring : {&before_.height_m, &before_.slope, &before_.height_variance, &before_.covariance,
-                       &before_.slope_variance}) {
+    for (Ring* ring :
+         {&before_.height_m, &before_.slope, &before_.height_variance, &before_.covariance, &before_.slope_variance}) {
       close_ring(*ring);
     }
     const RingView from{before_.height_m.data() + 1, before_.slope.data() + 1, before_.height_variance.data() + 1,

@@ -18,29 +18,50 @@ namespace {
 /// Cells are numbered with 16 bits, and one number stands for none.
 constexpr std::size_t kMaxCells = 65535;
 
-/// Lowest and highest point of every cell.
+/// Lowest and highest point of every cell. Neighbours in firing order often share a cell: what they say is gathered
+/// first and written once, so that points need not wait for each other's memory.
 void find_extremes(const std::vector<std::uint16_t>& cell_of_point, const std::vector<float>& heights_m,
                    std::size_t cells, CellExtremes& extremes) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   extremes.lowest_m.assign(cells + 1, kInfinity);
   extremes.highest_m.assign(cells + 1, -kInfinity);
-  float* const lowest_m = extremes.lowest_m.data();
-  float* const highest_m = extremes.highest_m.data();
+  std::size_t current = cells;
+  float lowest_m = kInfinity;
+  float highest_m = -kInfinity;
+  const auto write = [&extremes, &current, &lowest_m, &highest_m] {
+    extremes.lowest_m[current] = std::min(extremes.lowest_m[current], lowest_m);
+    extremes.highest_m[current] = std::max(extremes.highest_m[current], highest_m);
+  };
   for (std::size_t i = 0; i < cell_of_point.size(); ++i) {
-    const std::size_t cell = cell_of_point[i];
-    lowest_m[cell] = std::min(lowest_m[cell], heights_m[i]);
-    highest_m[cell] = std::max(highest_m[cell], heights_m[i]);
-  }
-}
-
-/// Points of no cell are not ground; some of them are no points at all.
-void mark_strays(const PointsView& points, const std::vector<std::uint16_t>& cell_of_point, std::uint16_t no_cell,
-                 std::vector<GroundClass>& classes) {
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (cell_of_point[i] == no_cell) {
-      classes[i] = class_of_stray(points.x[i], points.y[i], points.z[i]);
+    const float height_m = heights_m[i];
+    if (cell_of_point[i] != current) {
+      write();
+      current = cell_of_point[i];
+      lowest_m = height_m;
+      highest_m = height_m;
+    } else {
+      lowest_m = std::min(lowest_m, height_m);
+      highest_m = std::max(highest_m, height_m);
     }
   }
+  write();
+}
+
+/// Points of no cell are not ground; some of them are no points at all. Counts all points.
+GroundCounts mark_strays(const PointsView& points, const std::vector<std::uint16_t>& cell_of_point, std::size_t ground,
+                         std::uint16_t no_cell, std::vector<GroundClass>& classes) {
+  GroundCounts counts{.ground = ground, .not_ground = points.size() - ground};
+  auto strays = std::count(cell_of_point.begin(), cell_of_point.end(), no_cell);
+  for (std::size_t i = 0; strays > 0; ++i) {
+    if (cell_of_point[i] == no_cell) {
+      --strays;
+      classes[i] = class_of_stray(points.x[i], points.y[i], points.z[i]);
+      counts.no_return += classes[i] == GroundClass::no_return ? 1 : 0;
+      counts.invalid += classes[i] == GroundClass::invalid ? 1 : 0;
+    }
+  }
+  counts.not_ground -= counts.no_return + counts.invalid;
+  return counts;
 }
 
 }  // namespace
@@ -101,9 +122,10 @@ GroundResult TerrainGround::process(const PointsView& points, const Pose& T_base
   const auto object_m = static_cast<float>(config_.object_tolerance_m);
   s.planes.build(s.surface.channels(), s.has_object, frame, bare_m, config_.strict_at_objects ? object_m : bare_m);
   s.classes.resize(points.size());
-  s.planes.classify(points, s.cell_of_point, s.classes);
-  mark_strays(points, s.cell_of_point, static_cast<std::uint16_t>(s.cells.size()), s.classes);
-  return {.classes = s.classes, .surface = &s.surface, .counts = count_classes(s.classes)};
+  const std::size_t ground = s.planes.classify(points, s.cell_of_point, s.classes);
+  const GroundCounts counts =
+      mark_strays(points, s.cell_of_point, ground, static_cast<std::uint16_t>(s.cells.size()), s.classes);
+  return {.classes = s.classes, .surface = &s.surface, .counts = counts};
 }
 
 }  // namespace berm

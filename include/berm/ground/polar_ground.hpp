@@ -11,15 +11,15 @@ namespace berm {
 
 /// Settings of method G. Heights are measured from the sensor, as in the original.
 struct PolarGroundConfig {
-  int channels = 80;             ///< G step 2
-  int bins = 120;                ///< G step 2
-  double min_range_m = 3.4;      ///< G step 1
-  double max_range_m = 120.0;    ///< G step 1
-  double min_height_m = -2.0;    ///< T_hmin, G step 3
-  double max_height_m = -0.4;    ///< T_hmax, G step 3
-  double sensor_height_m = 2.0;  ///< G step 3
-  double max_difference_m = 0.4; ///< G step 6
-  double tolerance_m = 0.25;     ///< G step 9
+  int channels = 80;              ///< G step 2
+  int bins = 120;                 ///< G step 2
+  double min_range_m = 3.4;       ///< G step 1
+  double max_range_m = 120.0;     ///< G step 1
+  double min_height_m = -2.0;     ///< T_hmin, G step 3
+  double max_height_m = -0.4;     ///< T_hmax, G step 3
+  double sensor_height_m = 2.0;   ///< G step 3
+  double max_difference_m = 0.4;  ///< G step 6
+  double tolerance_m = 0.25;      ///< G step 9
 
   static void fields(auto&& field);
   /// Throws ConfigError for a value outside its range, or if a minimum is not below its maximum.

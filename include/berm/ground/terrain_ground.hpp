@@ -62,7 +62,8 @@ void TerrainGroundConfig::fields(auto&& field) {
   field("sectors", &C::sectors, Range{16, 1024}, "sectors of the polar grid over a full turn");
   field("cell_m", &C::cell_m, Range{0.1, 2.0},
         "length of a cell up to 8 m from the sensor; twice that up to 24 m, four times up to 56 m and so on");
-  field("min_range_m", &C::min_range_m, Range{0.0, 50.0}, "nearer points do not shape the ground: they may be the "
+  field("min_range_m", &C::min_range_m, Range{0.0, 50.0},
+        "nearer points do not shape the ground: they may be the "
         "machine itself");
   field("max_range_m", &C::max_range_m, Range{5.0, 500.0}, "farther points are not ground");
   field("level", &C::level, "find the plane around the sensor; off: trust the mount");
@@ -73,15 +74,18 @@ void TerrainGroundConfig::fields(auto&& field) {
   field("strict_at_objects", &C::strict_at_objects,
         "where a cell holds something high, take its lowest point for ground only without a step, and nothing above "
         "object_tolerance_m");
-  field("step_up_m", &C::step_up_m, Range{0.0, 2.0}, "rise over the expected height that is ground still, as a kerb is");
+  field("step_up_m", &C::step_up_m, Range{0.0, 2.0},
+        "rise over the expected height that is ground still, as a kerb is");
   field("step_down_m", &C::step_down_m, Range{0.0, 10.0}, "drop below the expected height that is ground still");
-  field("gate_sigmas", &C::gate_sigmas, Range{0.0, 10.0}, "widens both steps by the uncertainty of the expected height");
+  field("gate_sigmas", &C::gate_sigmas, Range{0.0, 10.0},
+        "widens both steps by the uncertainty of the expected height");
   field("height_noise_m", &C::height_noise_m, Range{0.001, 1.0}, "noise of the lowest point of a cell");
   field("roughness_m", &C::roughness_m, Range{0.0, 1.0}, "what the height wanders at random within a metre");
   field("curvature", &C::curvature, Range{0.0, 1.0}, "what the slope wanders at random within a metre");
   field("tolerance_m", &C::tolerance_m, Range{0.01, 2.0}, "points up to this above the ground belong to it");
   field("object_tolerance_m", &C::object_tolerance_m, Range{0.01, 2.0}, "the same in a cell with an object");
-  field("object_height_m", &C::object_height_m, Range{0.05, 10.0}, "a cell that reaches this far above its lowest "
+  field("object_height_m", &C::object_height_m, Range{0.05, 10.0},
+        "a cell that reaches this far above its lowest "
         "point holds an object");
 }
 
