@@ -130,8 +130,10 @@ std::vector<Beam> real_beams(const PointsView& points, const std::optional<Repea
     if (!(range > 0.0F) || std::isinf(range) || is_no_return(points.x[i], points.y[i], points.z[i])) {
       continue;
     }
-    beams.push_back(
-        {.index = i, .azimuth_rad = std::atan2(y, x), .elevation_rad = std::atan2(z, across), .range_m = range});
+    beams.push_back({.index = static_cast<std::uint32_t>(i),
+                     .azimuth_rad = std::atan2(y, x),
+                     .elevation_rad = std::atan2(z, across),
+                     .range_m = range});
   }
   return beams;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,7 +24,7 @@ struct PointCounts {
 
 /// Direction of one real return, seen from the sensor.
 struct Beam {
-  std::size_t index = 0;  ///< in the scan
+  std::uint32_t index = 0;  ///< in the scan; files of more points are refused long before
   float azimuth_rad = 0.0F;
   float elevation_rad = 0.0F;
   float range_m = 0.0F;
