@@ -16,6 +16,7 @@
 #include "exit_code.hpp"
 #include "label_pictures.hpp"
 #include "machine_option.hpp"
+#include "run_mount.hpp"
 
 namespace berm::app {
 namespace {
@@ -54,11 +55,15 @@ std::size_t find_scan(const Recording& recording, const std::string& name) {
                    recording.scan(recording.size() - 1).name);
 }
 
-/// The mount that the picture is levelled by: the machine's, corrected by the recording's own sheet.
+/// The machine whose mount levels the picture: the chosen one, else that of the run; corrected by the recording's
+/// sheet.
 Machine find_machine_of(const DrawCommand& command, const Recording& recording) {
   ChosenMachine chosen;
   if (command.machine.is_given()) {
     chosen = command.machine.choose();
+  } else if (!command.run_folder.empty()) {
+    chosen.machine.mount = read_run_mount(command.run_folder);
+    return chosen.machine;
   }
   adopt_sheet(chosen.machine, recording.sheet(), chosen.pinned);
   return chosen.machine;

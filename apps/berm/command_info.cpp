@@ -58,7 +58,9 @@ void add_info(CLI::App& app, int& exit_code) {
   sub->add_option("RECORDING", command->recording, "Sequence folder, KITTI folder, folder of scans, or one scan")
       ->required();
   sub->add_flag("--json", command->json, "For programs");
-  sub->add_option("--first", command->first, "Index of the first scan to look into, from 0")->capture_default_str();
+  sub->add_option("--first", command->first, "Index of the first scan to look into, from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   sub->add_option("--count", command->count, "Number of scans to look into, else all")->check(CLI::PositiveNumber);
   sub->add_option("-o,--output", command->output, "File for the result, - for stdout")
       ->type_name("FILE")

@@ -112,7 +112,9 @@ void add_run(CLI::App& app, int& exit_code) {
   sub->add_option("--threads", options.threads, "Scans worked on at a time; the results are the same for any number")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  sub->add_option("--first", options.first, "Index of the first scan, from 0")->capture_default_str();
+  sub->add_option("--first", options.first, "Index of the first scan, from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   auto* count = sub->add_option("--count", command->count, "Number of scans, else all")->check(CLI::PositiveNumber);
   command->console.add_options(*sub);
   sub->callback([command, count, &exit_code] {

@@ -43,6 +43,7 @@ ChosenMachine MachineOption::choose() const {
     for (const std::string& value : values_) {
       chosen.pinned.insert(set_value(chosen.machine, value, "--set " + value));
     }
+    chosen.machine.check();
   } catch (const ConfigError& error) {
     throw UsageError(error.what());
   }

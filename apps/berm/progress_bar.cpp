@@ -40,7 +40,7 @@ std::string progress_text(std::size_t done, std::size_t total, double elapsed_s,
     const double rate = static_cast<double>(done) / elapsed_s;
     text += fmt::format("  {:.1f} scans/s  {} left", rate, time_text(static_cast<double>(total - done) / rate));
   }
-  const std::size_t around_bar = 4;
+  const std::size_t around_bar = 3;
   if (columns > text.size() + around_bar) {
     const std::size_t width = std::min(kMaxBar, columns - text.size() - around_bar);
     const auto filled = static_cast<std::size_t>(share * static_cast<double>(width));

@@ -103,7 +103,6 @@ std::string set_value(Machine& machine, std::string_view assignment, const std::
                         std::string(assignment.substr(dot + 1, equals - dot - 1)),
                         std::string(assignment.substr(equals + 1)), false};
   assign_setting(machine, setting);
-  check_machine(machine, where);
   return setting.full_key();
 }
 

@@ -13,8 +13,8 @@ TEST(ProgressText, SaysShareRateAndTimeLeft) {
 }
 
 TEST(ProgressText, HoldsAtTheEnds) {
-  EXPECT_EQ(progress_text(0, 10, 0.0, 40), "[..................]   0 %  0/10 scans");
-  EXPECT_EQ(progress_text(10, 10, 5.0, 60), "[#############] 100 %  10/10 scans  2.0 scans/s  0 s left");
+  EXPECT_EQ(progress_text(0, 10, 0.0, 40), "[....................]   0 %  0/10 scans");
+  EXPECT_EQ(progress_text(10, 10, 5.0, 60), "[################] 100 %  10/10 scans  2.0 scans/s  0 s left");
   EXPECT_EQ(progress_text(0, 0, 0.0, 10), "100 %  0/0");
   EXPECT_EQ(progress_text(999, 1000, 1.0, 5), " 99 %");
   EXPECT_EQ(progress_text(1, 2, 1.0, 0), "");

@@ -104,7 +104,8 @@ TEST_F(RunFaultsTest, KilledInTheMiddleItLeavesNoHalfFiles) {
 TEST_F(RunFaultsTest, AnInterruptEndsItCleanly) {
   test::make_recording(recording_, kScans, kPoints);
   for (const int signal : {SIGINT, SIGTERM}) {
-    Program program(arguments({"--force"}));
+    fs::remove_all(out_);
+    Program program(arguments());
     wait_for_labels(3);
     program.send(signal);
     const ProgramResult result = program.wait();
