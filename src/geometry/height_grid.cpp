@@ -9,7 +9,6 @@ HeightGrid::HeightGrid(PolarGrid grid) : grid_(std::move(grid)) {
   const std::size_t cells = grid_.size();
   channels_.height_m.resize(cells);
   channels_.radial_slope.resize(cells);
-  channels_.lateral_slope.resize(cells);
   channels_.variance_m2.resize(cells);
   channels_.measured.resize(cells);
 }
@@ -18,7 +17,6 @@ HeightGrid::Cell HeightGrid::cell(PolarCell cell) const {
   const std::size_t i = offset(cell);
   return {.height_m = channels_.height_m[i],
           .radial_slope = channels_.radial_slope[i],
-          .lateral_slope = channels_.lateral_slope[i],
           .sigma_m = std::sqrt(channels_.variance_m2[i]),
           .measured = channels_.measured[i] != 0};
 }
@@ -31,12 +29,9 @@ std::optional<HeightEstimate> HeightGrid::at(double x_m, double y_m) const {
   const Cell ground = cell(*where);
   const double azimuth_rad = grid_.center_azimuth_rad(where->sector);
   const double outward_m = x_m * std::cos(azimuth_rad) + y_m * std::sin(azimuth_rad);
-  const double left_m = y_m * std::cos(azimuth_rad) - x_m * std::sin(azimuth_rad);
   const double from_middle_m = outward_m - grid_.center_range_m(where->bin);
-  return HeightEstimate{
-      static_cast<double>(ground.height_m) + static_cast<double>(ground.radial_slope) * from_middle_m +
-          static_cast<double>(ground.lateral_slope) * left_m,
-      static_cast<double>(ground.sigma_m)};
+  return HeightEstimate{static_cast<double>(ground.height_m) + static_cast<double>(ground.radial_slope) * from_middle_m,
+                        static_cast<double>(ground.sigma_m)};
 }
 
 std::optional<HeightEstimate> HeightGrid::height_above(const Eigen::Vector3d& point_sensor_m) const {

@@ -16,7 +16,6 @@ constexpr float kToleranceGrowth = 0.003F;
 struct BinGround {
   const float* height_m;
   const float* radial_slope;
-  const float* lateral_slope;
   const std::uint8_t* has_object;
   float middle_m;
   float bare_m;
@@ -29,10 +28,9 @@ void build_bin(std::size_t sectors, BinGround ground, LevelFrame f, const float*
                const float* __restrict sin_azimuth, float* __restrict planes) {
   for (std::size_t s = 0; s < sectors; ++s) {
     const float outward = ground.radial_slope[s];
-    const float leftward = ground.lateral_slope[s];
     // The ground is z = gx x + gy y + at_origin in the levelled frame.
-    const float gx = outward * cos_azimuth[s] - leftward * sin_azimuth[s];
-    const float gy = outward * sin_azimuth[s] + leftward * cos_azimuth[s];
+    const float gx = outward * cos_azimuth[s];
+    const float gy = outward * sin_azimuth[s];
     const float at_origin_m = ground.height_m[s] - outward * ground.middle_m;
     const float tolerance_m = ground.has_object[s] != 0 ? ground.object_m : ground.bare_m;
     planes[4 * s] = f.zx - gx * f.xx - gy * f.yx;
@@ -64,7 +62,6 @@ void CellPlanes::build(const HeightGrid::Channels& surface, std::span<const std:
     const float grown_m = bare_m + kToleranceGrowth * middles_m_[bin];
     const BinGround ground{.height_m = surface.height_m.data() + first,
                            .radial_slope = surface.radial_slope.data() + first,
-                           .lateral_slope = surface.lateral_slope.data() + first,
                            .has_object = has_object.data() + first,
                            .middle_m = middles_m_[bin],
                            .bare_m = grown_m,

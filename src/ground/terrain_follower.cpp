@@ -52,10 +52,10 @@ struct BinStep {
 /// Predicts every sector to the bin and corrects it by the cell's lowest point, if that passes the gate.
 BERM_MULTIVERSION
 void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restrict lowest_m,
-                         const float* __restrict highest_m, const float* __restrict cross_slope,
-                         float* __restrict height_m, float* __restrict slope, float* __restrict height_variance,
-                         float* __restrict covariance, float* __restrict slope_variance,
-                         std::uint8_t* __restrict measured, std::uint8_t* __restrict has_object) {
+                         const float* __restrict highest_m, float* __restrict height_m, float* __restrict slope,
+                         float* __restrict height_variance, float* __restrict covariance,
+                         float* __restrict slope_variance, std::uint8_t* __restrict measured,
+                         std::uint8_t* __restrict has_object) {
   const float step2 = bin.step_m * bin.step_m;
   const float usable = bin.usable ? 1.0F : 0.0F;
   for (std::size_t s = 0; s < sectors; ++s) {
@@ -65,11 +65,11 @@ void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restri
     const float hg = covariance[s] + slope_variance[s] * bin.step_m + bin.slope_growth * bin.step_m * 0.5F;
     const float gg = slope_variance[s] + bin.slope_growth;
 
-    const float span_m = highest_m[s] - lowest_m[s] - (std::fabs(slope[s]) + kUnknownSlope) * bin.length_m -
-                         (std::fabs(cross_slope[s]) + kUnknownSlope) * bin.width_m;
+    const float span_m =
+        highest_m[s] - lowest_m[s] - (std::fabs(slope[s]) + kUnknownSlope) * bin.length_m - kUnknownSlope * bin.width_m;
     const float widening_m = std::sqrt(hh) * (span_m > kBareSpan_m ? bin.object_gate_sigmas : bin.gate_sigmas);
     const float up_m = bin.step_up_m + (widening_m < kMaxWidening_m ? widening_m : kMaxWidening_m);
-    const float down_m = bin.step_down_m + 2.0F * std::sqrt(hh);
+    const float down_m = bin.step_down_m + bin.gate_sigmas * std::sqrt(hh);
     const float surprise_m = lowest_m[s] - expected_m;
     const float accepted = (surprise_m < up_m) & (surprise_m > -down_m) ? usable : 0.0F;
 
@@ -98,9 +98,8 @@ struct RingView {
 /// mean is also surer than it was; elsewhere the neighbours' errors may be its own.
 BERM_MULTIVERSION
 void average_neighbours(std::size_t sectors, float width_m, RingView from, const std::uint8_t* __restrict measured,
-                        const float* __restrict cross_slope, float* __restrict height_m, float* __restrict slope,
-                        float* __restrict height_variance, float* __restrict covariance,
-                        float* __restrict slope_variance) {
+                        float* __restrict height_m, float* __restrict slope, float* __restrict height_variance,
+                        float* __restrict covariance, float* __restrict slope_variance) {
   const float neighbour_variance = kNeighbourVariance + kNeighbourVariancePerMetre * width_m;
   for (std::size_t s = 0; s < sectors; ++s) {
     const float* const h = from.height_m + s;
@@ -111,9 +110,8 @@ void average_neighbours(std::size_t sectors, float width_m, RingView from, const
     const float right = 1.0F / (hh[-1] + neighbour_variance);
     const float self = 1.0F / hh[0];
     const float left = 1.0F / (hh[1] + neighbour_variance);
-    const float rise_m = cross_slope[s] * width_m;
     const float inverse = 1.0F / (right + self + left);
-    height_m[s] = (right * (h[-1] + rise_m) + self * h[0] + left * (h[1] - rise_m)) * inverse;
+    height_m[s] = (right * h[-1] + self * h[0] + left * h[1]) * inverse;
     slope[s] = (right * g[-1] + self * g[0] + left * g[1]) * inverse;
     const float mean_variance = (right * hh[-1] + self * hh[0] + left * hh[1]) * inverse;
     const float shrink = measured[s] != 0 ? inverse / mean_variance : 1.0F;
@@ -121,17 +119,6 @@ void average_neighbours(std::size_t sectors, float width_m, RingView from, const
     height_variance[s] = (right * hh[-1] + self * hh[0] + left * hh[1]) * scale;
     covariance[s] = (right * hg[-1] + self * hg[0] + left * hg[1]) * scale;
     slope_variance[s] = (right * gg[-1] + self * gg[0] + left * gg[1]) * scale;
-  }
-}
-
-/// Half of the old cross slope, half of what the neighbours' heights say now.
-BERM_MULTIVERSION
-void update_cross_slope(std::size_t sectors, float width_m, const float* __restrict height_m,
-                        float* __restrict cross_slope) {
-  const float scale = 0.5F / width_m;
-  for (std::size_t s = 0; s < sectors; ++s) {
-    const float seen = clamped((height_m[s + 1] - height_m[s - 1]) * scale, kMaxSlope);
-    cross_slope[s] = 0.5F * cross_slope[s] + 0.5F * seen;
   }
 }
 
@@ -166,7 +153,6 @@ TerrainFollower::TerrainFollower(const TerrainGroundConfig& config, const Terrai
       ring->resize(sectors_ + 2);
     }
   }
-  cross_slope_.resize(sectors_ + 2);
 }
 
 void TerrainFollower::start(double plane_rms_m) {
@@ -177,7 +163,6 @@ void TerrainFollower::start(double plane_rms_m) {
   fill(now_.height_variance, kStartVariance + kHeightShareOfMisfit * misfit_m2);
   fill(now_.covariance, 0.0);
   fill(now_.slope_variance, kStartVariance + kSlopeShareOfMisfit * misfit_m2);
-  fill(cross_slope_, 0.0);
 }
 
 void TerrainFollower::measure(const CellExtremes& extremes, std::size_t bin, float blind_m, std::uint8_t* measured,
@@ -198,9 +183,8 @@ void TerrainFollower::measure(const CellExtremes& extremes, std::size_t bin, flo
                         .usable = config_.follow && middles_m_[bin] >= as_float(config_.min_range_m)};
   const std::size_t first = bin * sectors_;
   predict_and_correct(sectors_, numbers, extremes.lowest_m.data() + first, extremes.highest_m.data() + first,
-                      cross_slope_.data() + 1, now_.height_m.data() + 1, now_.slope.data() + 1,
-                      now_.height_variance.data() + 1, now_.covariance.data() + 1, now_.slope_variance.data() + 1,
-                      measured, has_object);
+                      now_.height_m.data() + 1, now_.slope.data() + 1, now_.height_variance.data() + 1,
+                      now_.covariance.data() + 1, now_.slope_variance.data() + 1, measured, has_object);
 }
 
 void TerrainFollower::share(std::size_t bin, const std::uint8_t* measured) {
@@ -213,13 +197,8 @@ void TerrainFollower::share(std::size_t bin, const std::uint8_t* measured) {
     }
     const RingView from{before_.height_m.data() + 1, before_.slope.data() + 1, before_.height_variance.data() + 1,
                         before_.covariance.data() + 1, before_.slope_variance.data() + 1};
-    average_neighbours(sectors_, width_m, from, measured, cross_slope_.data() + 1, now_.height_m.data() + 1,
-                       now_.slope.data() + 1, now_.height_variance.data() + 1, now_.covariance.data() + 1,
-                       now_.slope_variance.data() + 1);
-  }
-  if (config_.cross_slope) {
-    close_ring(now_.height_m);
-    update_cross_slope(sectors_, width_m, now_.height_m.data() + 1, cross_slope_.data() + 1);
+    average_neighbours(sectors_, width_m, from, measured, now_.height_m.data() + 1, now_.slope.data() + 1,
+                       now_.height_variance.data() + 1, now_.covariance.data() + 1, now_.slope_variance.data() + 1);
   }
 }
 
@@ -228,7 +207,6 @@ void TerrainFollower::store(std::size_t bin, HeightGrid::Channels& surface) cons
     std::copy_n(from.data() + 1, sectors_, to.data() + bin * sectors_);
   };
   copy(now_.height_m, surface.height_m);
-  copy(cross_slope_, surface.lateral_slope);
   copy(now_.height_variance, surface.variance_m2);
 }
 

@@ -58,7 +58,6 @@ class TerrainFollower {
 
   Estimate now_;
   Estimate before_;
-  Ring cross_slope_;
 };
 
 }  // namespace berm

@@ -24,18 +24,16 @@ class HeightGrid {
  public:
   /// The ground in one cell.
   struct Cell {
-    float height_m = 0.0F;       ///< at the middle of the cell
-    float radial_slope = 0.0F;   ///< rise per metre away from the sensor
-    float lateral_slope = 0.0F;  ///< rise per metre to the left, across the sector
-    float sigma_m = 0.0F;        ///< of the height
-    bool measured = false;       ///< whether the ground was seen here; else it is carried on from cells that were
+    float height_m = 0.0F;      ///< at the middle of the cell
+    float radial_slope = 0.0F;  ///< rise per metre away from the sensor
+    float sigma_m = 0.0F;       ///< of the height
+    bool measured = false;      ///< whether the ground was seen here; else it is carried on from cells that were
   };
 
   /// The same, one array each for all cells: all sectors of the nearest bin, then those of the next.
   struct Channels {
     std::vector<float> height_m;
     std::vector<float> radial_slope;
-    std::vector<float> lateral_slope;
     std::vector<float> variance_m2;
     std::vector<std::uint8_t> measured;
   };

@@ -21,7 +21,6 @@ struct TerrainGroundConfig {
   // Following the terrain outward.
   bool follow = true;
   bool smooth = true;
-  bool cross_slope = true;
   bool strict_at_objects = true;
   double step_up_m = 0.15;
   double step_down_m = 1.0;
@@ -70,7 +69,6 @@ void TerrainGroundConfig::fields(auto&& field) {
   field("max_tilt_deg", &C::max_tilt_deg, Range{1.0, 80.0}, "most that the plane may lean from the mount's up");
   field("follow", &C::follow, "follow the terrain outward; off: the plane is the ground");
   field("smooth", &C::smooth, "let neighbouring sectors share what they know");
-  field("cross_slope", &C::cross_slope, "carry the slope across the sectors as well");
   field("strict_at_objects", &C::strict_at_objects,
         "where a cell holds something high, take its lowest point for ground only without a step, and nothing above "
         "object_tolerance_m");
