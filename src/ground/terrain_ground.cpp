@@ -56,8 +56,8 @@ GroundCounts mark_strays(const PointsView& points, const std::vector<std::uint16
     if (cell_of_point[i] == no_cell) {
       --strays;
       classes[i] = class_of_stray(points.x[i], points.y[i], points.z[i]);
-      counts.no_return += classes[i] == GroundClass::no_return ? 1 : 0;
-      counts.invalid += classes[i] == GroundClass::invalid ? 1 : 0;
+      counts.no_return += classes[i] == GroundClass::no_return ? 1U : 0U;
+      counts.invalid += classes[i] == GroundClass::invalid ? 1U : 0U;
     }
   }
   counts.not_ground -= counts.no_return + counts.invalid;
