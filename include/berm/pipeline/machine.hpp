@@ -99,8 +99,8 @@ struct Machine {
 [[nodiscard]] Machine read_machine(const std::filesystem::path& file);
 
 /// Sets one value from text like "ground.min_range_m=3", as strictly as a file would; returns the key that was set.
-/// `where` names the origin in messages, such as "--set ground.min_range_m=3". Whether the values fit each other is left
-/// to `Machine::check`, since more may follow.
+/// `where` names the origin in messages, such as "--set ground.min_range_m=3". Whether the values fit each other is
+/// left to `Machine::check`, since more may follow.
 std::string set_value(Machine& machine, std::string_view assignment, const std::string& where);
 
 /// The machine as a YAML file with every key, its meaning and what is allowed; `parse_machine` reads it back.
