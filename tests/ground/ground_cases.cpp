@@ -120,7 +120,7 @@ MadeScan Sensor::look(const World& world, std::uint32_t seed) const {
 }
 
 Sensor rings_64() {
-  return {"64 rings", spinning_beams(64, -24.9, 2.0, 1200), 1.73, 0.0};
+  return {"64 rings", spinning_beams(64, -24.9, 2.0, 900), 1.73, 0.0};
 }
 
 Sensor rings_16() {
@@ -128,7 +128,7 @@ Sensor rings_16() {
 }
 
 Sensor rosette() {
-  return {"rosette", rosette_beams(70.4, 24000), 2.3, 11.0};
+  return {"rosette", rosette_beams(70.4, 20000), 2.3, 11.0};
 }
 
 }  // namespace berm::test

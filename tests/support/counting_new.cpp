@@ -10,11 +10,13 @@ namespace {
 
 std::atomic<std::size_t> g_allocated{0};
 std::atomic<std::size_t> g_peak{0};
+std::atomic<std::size_t> g_calls{0};
 
 void* counted(void* memory) {
   if (memory == nullptr) {
     throw std::bad_alloc();
   }
+  ++g_calls;
   const std::size_t now = g_allocated += ::malloc_usable_size(memory);
   std::size_t peak = g_peak;
   while (now > peak && !g_peak.compare_exchange_weak(peak, now)) {
@@ -41,6 +43,9 @@ std::size_t peak_bytes() {
 }
 void reset_peak() {
   g_peak = g_allocated.load();
+}
+std::size_t allocations() {
+  return g_calls;
 }
 
 }  // namespace berm::test

@@ -9,5 +9,7 @@ namespace berm::test {
 /// The most that this was since `reset_peak`.
 [[nodiscard]] std::size_t peak_bytes();
 void reset_peak();
+/// How often `new` was called.
+[[nodiscard]] std::size_t allocations();
 
 }  // namespace berm::test
