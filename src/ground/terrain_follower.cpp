@@ -28,6 +28,10 @@ constexpr float kUnknownSlope = 0.1F;
 /// A cell that spans more than this beyond its slope is not bare ground.
 constexpr float kBareSpan_m = 0.2F;
 
+/// A drop by more than this, beyond what the uncertainty allows, that neither neighbour shares within the same is a
+/// reflection from below the ground.
+constexpr float kLonelyDrop_m = 0.2F;
+
 float clamped(float value, float limit) {
   const float low = value > -limit ? value : -limit;
   return low < limit ? low : limit;
@@ -50,12 +54,16 @@ struct BinStep {
 };
 
 /// Predicts every sector to the bin and corrects it by the cell's lowest point, if that passes the gate.
+/// `lowest_ring_m` begins with the last sector and ends with the first; all other arrays begin with the first.
 BERM_MULTIVERSION
-void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restrict lowest_m,
+void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restrict lowest_ring_m,
                          const float* __restrict highest_m, float* __restrict height_m, float* __restrict slope,
                          float* __restrict height_variance, float* __restrict covariance,
                          float* __restrict slope_variance, std::uint8_t* __restrict measured,
                          std::uint8_t* __restrict has_object) {
+  const float* const right_m = lowest_ring_m;
+  const float* const lowest_m = lowest_ring_m + 1;
+  const float* const left_m = lowest_ring_m + 2;
   const float step2 = bin.step_m * bin.step_m;
   const float usable = bin.usable ? 1.0F : 0.0F;
   for (std::size_t s = 0; s < sectors; ++s) {
@@ -65,13 +73,21 @@ void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restri
     const float hg = covariance[s] + slope_variance[s] * bin.step_m + bin.slope_growth * bin.step_m * 0.5F;
     const float gg = slope_variance[s] + bin.slope_growth;
 
-    const float span_m =
-        highest_m[s] - lowest_m[s] - (std::fabs(slope[s]) + kUnknownSlope) * bin.length_m - kUnknownSlope * bin.width_m;
-    const float widening_m = std::sqrt(hh) * (span_m > kBareSpan_m ? bin.object_gate_sigmas : bin.gate_sigmas);
-    const float up_m = bin.step_up_m + (widening_m < kMaxWidening_m ? widening_m : kMaxWidening_m);
-    const float down_m = bin.step_down_m + bin.gate_sigmas * std::sqrt(hh);
+    const float sigma_m = std::sqrt(hh);
     const float surprise_m = lowest_m[s] - expected_m;
-    const float accepted = (surprise_m < up_m) & (surprise_m > -down_m) ? usable : 0.0F;
+    const float drop_m = kLonelyDrop_m + bin.gate_sigmas * sigma_m;
+    const float to_right_m = std::fabs(lowest_m[s] - right_m[s]);
+    const float to_left_m = std::fabs(lowest_m[s] - left_m[s]);
+    const bool alone = (to_right_m > kLonelyDrop_m) & (to_left_m > kLonelyDrop_m);
+    const bool reflection = (surprise_m < -drop_m) & alone;
+
+    const float foot_m = reflection ? expected_m : lowest_m[s];
+    const float span_m =
+        highest_m[s] - foot_m - (std::fabs(slope[s]) + kUnknownSlope) * bin.length_m - kUnknownSlope * bin.width_m;
+    const float widening_m = sigma_m * (span_m > kBareSpan_m ? bin.object_gate_sigmas : bin.gate_sigmas);
+    const float up_m = bin.step_up_m + (widening_m < kMaxWidening_m ? widening_m : kMaxWidening_m);
+    const float down_m = bin.step_down_m + bin.gate_sigmas * sigma_m;
+    const float accepted = (surprise_m < up_m) & (surprise_m > -down_m) & !reflection ? usable : 0.0F;
 
     const float correction_m = accepted > 0.0F ? surprise_m : 0.0F;  // an empty cell's surprise is infinite
     const float gain = accepted / (hh + bin.noise_m2);
@@ -153,6 +169,7 @@ TerrainFollower::TerrainFollower(const TerrainGroundConfig& config, const Terrai
       ring->resize(sectors_ + 2);
     }
   }
+  lowest_m_.resize(sectors_ + 2);
 }
 
 void TerrainFollower::start(double plane_rms_m) {
@@ -182,7 +199,9 @@ void TerrainFollower::measure(const CellExtremes& extremes, std::size_t bin, flo
                         .object_height_m = as_float(config_.object_height_m),
                         .usable = config_.follow && middles_m_[bin] >= as_float(config_.min_range_m)};
   const std::size_t first = bin * sectors_;
-  predict_and_correct(sectors_, numbers, extremes.lowest_m.data() + first, extremes.highest_m.data() + first,
+  std::copy_n(extremes.lowest_m.data() + first, sectors_, lowest_m_.data() + 1);
+  close_ring(lowest_m_);
+  predict_and_correct(sectors_, numbers, lowest_m_.data(), extremes.highest_m.data() + first,
                       now_.height_m.data() + 1, now_.slope.data() + 1, now_.height_variance.data() + 1,
                       now_.covariance.data() + 1, now_.slope_variance.data() + 1, measured, has_object);
 }

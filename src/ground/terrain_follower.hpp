@@ -58,6 +58,7 @@ class TerrainFollower {
 
   Estimate now_;
   Estimate before_;
+  Ring lowest_m_;
 };
 
 }  // namespace berm
