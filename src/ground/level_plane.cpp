@@ -104,7 +104,8 @@ Pose level_frame(const Vector3d& normal_sensor, double height_m) {
 void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen::Matrix3f& R_base_sensor,
                                           float min_range_m) {
   constexpr float kNone = std::numeric_limits<float>::infinity();
-  lowest_.assign(static_cast<std::size_t>(kCells * kCells), Vector3f(0.0F, 0.0F, kNone));
+  const Vector3f none(0.0F, 0.0F, kNone);
+  lowest_.assign(static_cast<std::size_t>(kCells * kCells), {none, none});
   const std::size_t stride = stride_for(points.size());
   for (std::size_t i = 0; i < points.size(); i += stride) {
     const Vector3f p = R_base_sensor * Vector3f(points.x[i], points.y[i], points.z[i]);
@@ -114,14 +115,19 @@ void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen:
     }
     const int column = static_cast<int>((p.x() + kReach_m) / kCell_m);
     const int row = static_cast<int>((p.y() + kReach_m) / kCell_m);
-    Vector3f& low =
+    LowPoints& low =
         lowest_[static_cast<std::size_t>(std::min(row, kCells - 1) * kCells + std::min(column, kCells - 1))];
-    if (p.z() < low.z()) {
-      low = p;
+    if (p.z() < low.first.z()) {
+      low.second = low.first;
+      low.first = p;
+    } else if (p.z() < low.second.z()) {
+      low.second = p;
     }
   }
   x_.clear(), y_.clear(), z_.clear(), tolerance_m_.clear();
-  for (const Vector3f& low : lowest_) {
+  for (const LowPoints& cell : lowest_) {
+    // The second lowest: a lone reflection from below the ground does no harm.
+    const Vector3f& low = cell.second;
     if (low.z() < kNone) {
       x_.push_back(low.x()), y_.push_back(low.y()), z_.push_back(low.z());
       // Near: what a rough ground shows. Farther out a hill or a hollow leaves its tangent plane.

@@ -29,13 +29,18 @@ class LevelPlaneFinder {
     float height_m;          ///< of the sensor above it
   };
 
+  struct LowPoints {
+    Eigen::Vector3f first;   ///< the lowest
+    Eigen::Vector3f second;  ///< the next
+  };
+
   void collect_low_points(const PointsView& points, const Eigen::Matrix3f& R_base_sensor, float min_range_m);
   [[nodiscard]] Plane best_plane(float mount_height_m, float min_up) const;
   [[nodiscard]] float score(const Plane& plane) const;
   void refine(Plane& plane) const;
   [[nodiscard]] LevelPlane judge(const Plane& plane, const Eigen::Matrix3d& R_base_sensor) const;
 
-  std::vector<Eigen::Vector3f> lowest_;  ///< per cell of a square grid
+  std::vector<LowPoints> lowest_;  ///< per cell of a square grid
   // The low points, base axes, origin in the sensor.
   std::vector<float> x_;
   std::vector<float> y_;

@@ -201,9 +201,9 @@ void TerrainFollower::measure(const CellExtremes& extremes, std::size_t bin, flo
   const std::size_t first = bin * sectors_;
   std::copy_n(extremes.lowest_m.data() + first, sectors_, lowest_m_.data() + 1);
   close_ring(lowest_m_);
-  predict_and_correct(sectors_, numbers, lowest_m_.data(), extremes.highest_m.data() + first,
-                      now_.height_m.data() + 1, now_.slope.data() + 1, now_.height_variance.data() + 1,
-                      now_.covariance.data() + 1, now_.slope_variance.data() + 1, measured, has_object);
+  predict_and_correct(sectors_, numbers, lowest_m_.data(), extremes.highest_m.data() + first, now_.height_m.data() + 1,
+                      now_.slope.data() + 1, now_.height_variance.data() + 1, now_.covariance.data() + 1,
+                      now_.slope_variance.data() + 1, measured, has_object);
 }
 
 void TerrainFollower::share(std::size_t bin, const std::uint8_t* measured) {
