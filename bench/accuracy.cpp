@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,35 @@ PointCloud turned(const PointCloud& cloud, const Pose& turn) {
   return PointCloud(std::move(channels));
 }
 
+/// A copy in which every 300th point below the sensor's waist lies farther out on its beam, and so below the ground,
+/// as mirrored returns of wet asphalt do. Those points are left out of the truth.
+Series with_reflections(const Series& from) {
+  Series series{"mirrored", false, {}};
+  std::minstd_rand random(1);
+  for (const LabelledScan& scan : from.scans) {
+    const PointsView points = scan.cloud.view();
+    PointChannels channels{{points.x.begin(), points.x.end()},
+                           {points.y.begin(), points.y.end()},
+                           {points.z.begin(), points.z.end()},
+                           {},
+                           {},
+                           {},
+                           {}};
+    std::vector<std::uint32_t> truth = scan.truth;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points.z[i] < -1.0F && random() % 300 == 0) {
+        const float farther = 1.1F + 0.0004F * static_cast<float>(random() % 1000);
+        channels.x[i] *= farther;
+        channels.y[i] *= farther;
+        channels.z[i] *= farther;
+        truth[i] = 0;
+      }
+    }
+    series.scans.push_back({PointCloud(std::move(channels)), scan.T_base_sensor, std::move(truth)});
+  }
+  return series;
+}
+
 Series read_series(const std::string& name, const fs::path& folder, double height_m, double pitch_deg,
                    double roll_deg) {
   const Recording recording = Recording::open(folder);
@@ -105,6 +135,7 @@ std::vector<Series> collect_series() {
     all.push_back(read_series("pitch 10", kitti, 1.73, 10.0, 0.0));
     all.push_back(read_series("pitch 20", kitti, 1.73, 20.0, 0.0));
     all.push_back(read_series("roll 15", kitti, 1.73, 0.0, 15.0));
+    all.push_back(with_reflections(all.front()));
   }
   if (data != nullptr && fs::exists(fs::path(data) / "wads36")) {
     all.push_back(read_series("WADS", fs::path(data) / "wads36", 2.0, 0.0, 0.0));
@@ -152,6 +183,7 @@ std::vector<Method> methods() {
       variant("  without follow (the plane is the ground)", [](C& c) { c.follow = false; }),
       variant("  without smooth", [](C& c) { c.smooth = false; }),
       variant("  without strict_at_objects", [](C& c) { c.strict_at_objects = false; }),
+      variant("  without reject_reflections", [](C& c) { c.reject_reflections = false; }),
       variant("  gate not widened (gate_sigmas 0)", [](C& c) { c.gate_sigmas = 0.0; }),
       variant("  no wandering slope (curvature 0)", [](C& c) { c.curvature = 0.0; }),
       variant("  no wandering height (roughness_m 0)", [](C& c) { c.roughness_m = 0.0; }),

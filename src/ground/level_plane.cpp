@@ -157,7 +157,7 @@ LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float
     }
     const Vector3f normal = cross / (cross.z() < 0.0F ? -span : span);
     const Plane plane{normal, -normal.dot(a)};
-    if (normal.z() < min_up || plane.height_m < kMinHeight_m) {
+    if (!(normal.z() >= min_up && plane.height_m >= kMinHeight_m)) {  // negated, so that NaN is refused
       continue;
     }
     float plane_score = score(plane);

@@ -44,10 +44,12 @@ void locate(const float* __restrict x, const float* __restrict y, const float* _
     const float pz = z[i];
     const float level_x = l.frame.xx * px + l.frame.xy * py + l.frame.xz * pz;
     const float level_y = l.frame.yx * px + l.frame.yy * py + l.frame.yz * pz;
-    height_m[i] = l.frame.zx * px + l.frame.zy * py + l.frame.zz * pz + l.frame.z0;
+    const float height = l.frame.zx * px + l.frame.zy * py + l.frame.zz * pz + l.frame.z0;
+    height_m[i] = height;
 
     const float range = std::sqrt(level_x * level_x + level_y * level_y);
-    const bool inside = (range < l.max_range_m) & (std::fabs(px) + std::fabs(py) + std::fabs(pz) > 0.0F);
+    const bool inside = (range < l.max_range_m) & (std::fabs(height) < l.max_range_m) &
+                        (std::fabs(px) + std::fabs(py) + std::fabs(pz) > 0.0F);
 
     const float along = std::fabs(level_x);
     const float across = std::fabs(level_y);

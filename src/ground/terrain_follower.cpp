@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "multiversion.hpp"
@@ -50,7 +51,8 @@ struct BinStep {
   float height_growth_m2;  ///< variance that the height gains by roughness on this step
   float slope_growth;      ///< variance that the slope gains by curvature
   float object_height_m;
-  bool usable;  ///< far enough from the sensor to shape the ground
+  float lonely_drop_m;  ///< see kLonelyDrop_m; infinite if reflections are followed
+  bool usable;          ///< far enough from the sensor to shape the ground
 };
 
 /// Predicts every sector to the bin and corrects it by the cell's lowest point, if that passes the gate.
@@ -75,10 +77,10 @@ void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restri
 
     const float sigma_m = std::sqrt(hh);
     const float surprise_m = lowest_m[s] - expected_m;
-    const float drop_m = kLonelyDrop_m + bin.gate_sigmas * sigma_m;
+    const float drop_m = bin.lonely_drop_m + bin.gate_sigmas * sigma_m;
     const float to_right_m = std::fabs(lowest_m[s] - right_m[s]);
     const float to_left_m = std::fabs(lowest_m[s] - left_m[s]);
-    const bool alone = (to_right_m > kLonelyDrop_m) & (to_left_m > kLonelyDrop_m);
+    const bool alone = (to_right_m > bin.lonely_drop_m) & (to_left_m > bin.lonely_drop_m);
     const bool reflection = (surprise_m < -drop_m) & alone;
 
     const float foot_m = reflection ? expected_m : lowest_m[s];
@@ -186,18 +188,20 @@ void TerrainFollower::measure(const CellExtremes& extremes, std::size_t bin, flo
                               std::uint8_t* has_object) {
   const auto as_float = [](double value) { return static_cast<float>(value); };
   const float step_m = bin > 0 && middles_m_[bin] > blind_m ? middles_m_[bin] - middles_m_[bin - 1] : 0.0F;
-  const BinStep numbers{.step_m = step_m,
-                        .length_m = lengths_m_[bin],
-                        .width_m = middles_m_[bin] * radians_per_sector_,
-                        .step_up_m = as_float(config_.step_up_m),
-                        .step_down_m = as_float(config_.step_down_m),
-                        .gate_sigmas = as_float(config_.gate_sigmas),
-                        .object_gate_sigmas = config_.strict_at_objects ? 0.0F : as_float(config_.gate_sigmas),
-                        .noise_m2 = as_float(config_.height_noise_m * config_.height_noise_m),
-                        .height_growth_m2 = as_float(config_.roughness_m * config_.roughness_m) * step_m,
-                        .slope_growth = as_float(config_.curvature * config_.curvature) * step_m,
-                        .object_height_m = as_float(config_.object_height_m),
-                        .usable = config_.follow && middles_m_[bin] >= as_float(config_.min_range_m)};
+  const BinStep numbers{
+      .step_m = step_m,
+      .length_m = lengths_m_[bin],
+      .width_m = middles_m_[bin] * radians_per_sector_,
+      .step_up_m = as_float(config_.step_up_m),
+      .step_down_m = as_float(config_.step_down_m),
+      .gate_sigmas = as_float(config_.gate_sigmas),
+      .object_gate_sigmas = config_.strict_at_objects ? 0.0F : as_float(config_.gate_sigmas),
+      .noise_m2 = as_float(config_.height_noise_m * config_.height_noise_m),
+      .height_growth_m2 = as_float(config_.roughness_m * config_.roughness_m) * step_m,
+      .slope_growth = as_float(config_.curvature * config_.curvature) * step_m,
+      .object_height_m = as_float(config_.object_height_m),
+      .lonely_drop_m = config_.reject_reflections ? kLonelyDrop_m : std::numeric_limits<float>::infinity(),
+      .usable = config_.follow && middles_m_[bin] >= as_float(config_.min_range_m)};
   const std::size_t first = bin * sectors_;
   std::copy_n(extremes.lowest_m.data() + first, sectors_, lowest_m_.data() + 1);
   close_ring(lowest_m_);

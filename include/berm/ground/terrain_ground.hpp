@@ -22,6 +22,7 @@ struct TerrainGroundConfig {
   bool follow = true;
   bool smooth = true;
   bool strict_at_objects = true;
+  bool reject_reflections = true;
   double step_up_m = 0.15;
   double step_down_m = 1.0;
   double gate_sigmas = 2.0;
@@ -62,8 +63,7 @@ void TerrainGroundConfig::fields(auto&& field) {
   field("cell_m", &C::cell_m, Range{0.1, 2.0},
         "length of a cell up to 8 m from the sensor; twice that up to 24 m, four times up to 56 m and so on");
   field("min_range_m", &C::min_range_m, Range{0.0, 50.0},
-        "nearer points do not shape the ground: they may be the "
-        "machine itself");
+        "nearer points do not shape the ground: they may be the machine itself");
   field("max_range_m", &C::max_range_m, Range{5.0, 500.0}, "farther points are not ground");
   field("level", &C::level, "find the plane around the sensor; off: trust the mount");
   field("max_tilt_deg", &C::max_tilt_deg, Range{1.0, 80.0}, "most that the plane may lean from the mount's up");
@@ -72,6 +72,7 @@ void TerrainGroundConfig::fields(auto&& field) {
   field("strict_at_objects", &C::strict_at_objects,
         "where a cell holds something high, take its lowest point for ground only without a step, and nothing above "
         "object_tolerance_m");
+  field("reject_reflections", &C::reject_reflections, "do not follow a drop that no neighbouring sector shares");
   field("step_up_m", &C::step_up_m, Range{0.0, 2.0},
         "rise over the expected height that is ground still, as a kerb is");
   field("step_down_m", &C::step_down_m, Range{0.0, 10.0}, "drop below the expected height that is ground still");
@@ -83,8 +84,7 @@ void TerrainGroundConfig::fields(auto&& field) {
   field("tolerance_m", &C::tolerance_m, Range{0.01, 2.0}, "points up to this above the ground belong to it");
   field("object_tolerance_m", &C::object_tolerance_m, Range{0.01, 2.0}, "the same in a cell with an object");
   field("object_height_m", &C::object_height_m, Range{0.05, 10.0},
-        "a cell that reaches this far above its lowest "
-        "point holds an object");
+        "a cell that reaches this far above its lowest point holds an object");
 }
 
 }  // namespace berm
