@@ -117,6 +117,8 @@ def check(root):
         for path in sources(root / face):
             tested = path.relative_to(root).parts[1] if face == "tests" else ""
             folders = [path.parent, root / face]
+            if face == "bench":
+                folders.append(root / "tests")  # made scans are in tests/support
             if tested in TABLE:
                 folders += [root / "src", root / "src" / tested]
                 problems += check_private_of_others(root, path, tested)
