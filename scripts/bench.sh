@@ -11,6 +11,7 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 case "${1:-}" in -h | --help) print_help && exit 0 ;; esac
+command -v python3 >/dev/null || die "python3 is missing, it makes the tables: scripts/setup.sh --dev installs it"
 configure_and_build release --target berm_bench berm_accuracy
 BERM_DATA="$(data_dir)"
 export BERM_DATA
