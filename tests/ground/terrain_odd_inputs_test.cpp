@@ -43,7 +43,7 @@ Outcome process(const Points& points, const Pose& T_base_sensor = test::mount(1.
   EXPECT_TRUE(std::all_of(channels.radial_slope.begin(), channels.radial_slope.end(), finite));
   EXPECT_TRUE(std::all_of(channels.variance_m2.begin(), channels.variance_m2.end(),
                           [](float value) { return std::isfinite(value) && value >= 0.0F; }));
-  EXPECT_TRUE(result.surface->T_level_sensor().matrix().allFinite());
+  EXPECT_TRUE(result.surface->T_level_sensor().matrix().allFinite()) << result.surface->T_level_sensor().matrix();
   return {test::classes_of(result), result.counts};
 }
 
