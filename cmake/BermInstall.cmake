@@ -7,12 +7,10 @@ get_property(BERM_MODULES GLOBAL PROPERTY BERM_MODULES)
 
 # Package of find_package for every target of other projects that a module may link.
 set(BERM_PACKAGE_OF_Eigen3::Eigen Eigen3)
-set(BERM_PACKAGE_OF_TBB::tbb TBB)
 set(BERM_PACKAGE_OF_CLI11::CLI11 CLI11)
 set(BERM_PACKAGE_OF_PNG::PNG PNG)
 set(BERM_PACKAGE_OF_fmt::fmt fmt)
 set(BERM_PACKAGE_OF_fmt::fmt-header-only fmt)
-set(BERM_PACKAGE_OF_hwy::hwy hwy)
 set(BERM_PACKAGE_OF_lzf::lzf lzf)
 set(BERM_PACKAGE_OF_nlohmann_json::nlohmann_json nlohmann_json)
 set(BERM_PACKAGE_OF_spdlog::spdlog spdlog)

@@ -29,7 +29,7 @@ TABLE = {
 LEAN = {
     "core": ("Eigen/",),
     "geometry": ("Eigen/", "tsl/"),
-    "ground": ("Eigen/", "tbb/", "hwy/", "tsl/"),
+    "ground": ("Eigen/", "tsl/"),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+")
