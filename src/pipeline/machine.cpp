@@ -16,7 +16,7 @@ namespace berm {
 namespace {
 
 /// Ten times the largest sensible machine file.
-constexpr std::uint64_t kMaxMachineBytes = 64 * 1024;
+constexpr std::uint64_t kMaxMachineBytes = 65'536;
 
 /// Keys without a default that could be right.
 constexpr std::array<std::string_view, 3> kRequired = {"machine.name", "sensor.model", "mount.height_m"};

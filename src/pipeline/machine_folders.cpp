@@ -6,6 +6,15 @@
 #include "closest_name.hpp"
 
 namespace berm {
+namespace {
+
+std::vector<std::string> to_strings(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::string> texts(paths.size());
+  std::transform(paths.begin(), paths.end(), texts.begin(), [](const auto& path) { return path.string(); });
+  return texts;
+}
+
+}  // namespace
 
 std::vector<std::filesystem::path> machine_folders() {
   std::vector<std::filesystem::path> folders = {"machines"};
@@ -35,12 +44,12 @@ std::vector<std::string> list_machines(const std::vector<std::filesystem::path>&
 }
 
 std::filesystem::path find_machine(const std::string& name_or_file, const std::vector<std::filesystem::path>& folders) {
-  const std::filesystem::path file(name_or_file);
+  std::filesystem::path file(name_or_file);
   if (name_or_file.find('/') != std::string::npos || file.extension() == ".yaml" || file.extension() == ".yml") {
     return file;
   }
   for (const auto& folder : folders) {
-    const std::filesystem::path candidate = folder / (name_or_file + ".yaml");
+    std::filesystem::path candidate = folder / (name_or_file + ".yaml");
     std::error_code code;
     if (std::filesystem::exists(candidate, code)) {
       return candidate;
@@ -48,14 +57,11 @@ std::filesystem::path find_machine(const std::string& name_or_file, const std::v
   }
   const auto names = list_machines(folders);
   std::string problem = "unknown machine '" + name_or_file + "'" + did_you_mean(name_or_file, names);
-  problem += names.empty() ? " No machine files were found in " + enumerate([&] {
-                               std::vector<std::string> searched;
-                               for (const auto& folder : folders) {
-                                 searched.push_back(folder.string());
-                               }
-                               return searched;
-                             }())
-                           : " Known: " + enumerate(names);
+  if (names.empty()) {
+    problem += " No machine files were found in " + enumerate(to_strings(folders));
+  } else {
+    problem += " Known: " + enumerate(names);
+  }
   throw ConfigError("--machine", problem + "; or name a file that ends in .yaml");
 }
 
