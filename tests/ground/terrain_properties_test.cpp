@@ -21,7 +21,7 @@ using test::Terrain;
 
 /// A scan small enough that every point is looked at for the plane.
 MadeScan small_scan(const Terrain& terrain, std::uint32_t seed) {
-  const test::Beams beams = test::spinning_beams(32, -25.0, 5.0, 500);
+  const test::Beams beams = test::spinning_beams(32, -25.0, 5.0, 250);
   return test::cast(terrain.world, beams, test::standing_at_origin(terrain.world, 1.73), {.seed = seed});
 }
 
