@@ -24,7 +24,7 @@ const std::map<std::string, Spinner>& spinners() {
   return all;
 }
 
-/// Heights of the sensors above the ground, m, measured in the scans.
+/// Heights of the sensors above the ground, m: about right, which is all that the methods ask for.
 const std::map<std::string, double>& sensor_heights_m() {
   static const std::map<std::string, double> all = {
       {"kitti00", 1.73}, {"wads36", 2.0}, {"hdl32_rings", 2.0}, {"livox_horizon", 1.9}, {"livox_mid360", 0.5}};

@@ -123,10 +123,13 @@ void add_picture_options(CLI::App& sub, DrawCommand& command) {
   const std::map<std::string, DrawColor> colors = {
       {"label", DrawColor::label}, {"intensity", DrawColor::intensity}, {"height", DrawColor::height}};
   DrawOptions& options = command.options;
-  sub.add_option("--view", options.view, "From where")->transform(CLI::CheckedTransformer(views))->type_name("VIEW");
+  // The choices stand in the type name: CLI11 would print them as {top->,side->}.
+  sub.add_option("--view", options.view, "From where")
+      ->transform(CLI::CheckedTransformer(views).description(""))
+      ->type_name("top|side|front|perspective");
   sub.add_option("--color", options.color, "What the colours say")
-      ->transform(CLI::CheckedTransformer(colors))
-      ->type_name("COLOR");
+      ->transform(CLI::CheckedTransformer(colors).description(""))
+      ->type_name("label|intensity|height");
   sub.add_option("--width", options.width_px, "Width of the picture in pixels")->capture_default_str();
   sub.add_option("--height", options.height_px, "Height of the picture in pixels")->capture_default_str();
   sub.add_option("--range", options.range_m, "How far is shown, in m; 0 as far as most points are")

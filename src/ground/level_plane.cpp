@@ -30,7 +30,7 @@ constexpr std::size_t kMinLowPoints = 10;
 constexpr int kHypotheses = 200;
 constexpr int kRefinements = 3;
 
-/// Share of the low points that a plane loses for a sensor height that is off by 30 %.
+/// Share of the low points that a plane loses at most for a wrong sensor height; half of it where it is off by 30 %.
 constexpr float kHeightPrior = 0.1F;
 constexpr float kHeightPriorSpread = 0.3F;
 /// What a low point below the plane costs: nothing is below the ground but reflections, so ground is seldom above it.
@@ -163,7 +163,7 @@ LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float
     float plane_score = score(plane);
     if (mount_height_m > 0.0F) {
       const float off = (plane.height_m / mount_height_m - 1.0F) / kHeightPriorSpread;
-      plane_score -= kHeightPrior * static_cast<float>(x_.size()) * off * off;
+      plane_score -= kHeightPrior * static_cast<float>(x_.size()) * off * off / (1.0F + off * off);
     }
     if (plane_score > best_score) {
       best_score = plane_score;
