@@ -173,8 +173,8 @@ LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float
   return best;
 }
 
-/// Least squares over the low points near the plane, with Cauchy weights.
-void LevelPlaneFinder::refine(Plane& plane) const {
+/// Least squares over the low points near the plane, with Cauchy weights, as long as it leans no more than allowed.
+void LevelPlaneFinder::refine(Plane& plane, float min_up) const {
   for (int i = 0; i < kRefinements; ++i) {
     Moments moments;
     for (std::size_t k = 0; k < x_.size(); ++k) {
@@ -185,7 +185,7 @@ void LevelPlaneFinder::refine(Plane& plane) const {
       }
     }
     const std::optional<PlaneFit> fit = fit_plane(moments);
-    if (!fit) {
+    if (!fit || fit->normal.z() < static_cast<double>(min_up)) {
       return;
     }
     plane.normal = fit->normal.cast<float>();
@@ -227,9 +227,9 @@ LevelPlane LevelPlaneFinder::find(const PointsView& points, const Pose& T_base_s
   if (x_.size() < kMinLowPoints) {
     return by_mount;
   }
-  const double min_up = std::cos(config.max_tilt_deg * std::numbers::pi / 180.0);
-  Plane plane = best_plane(static_cast<float>(mount_height_m), static_cast<float>(min_up));
-  refine(plane);
+  const auto min_up = static_cast<float>(std::cos(config.max_tilt_deg * std::numbers::pi / 180.0));
+  Plane plane = best_plane(static_cast<float>(mount_height_m), min_up);
+  refine(plane, min_up);
   return judge(plane, R_base_sensor);
 }
 

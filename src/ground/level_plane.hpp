@@ -37,7 +37,7 @@ class LevelPlaneFinder {
   void collect_low_points(const PointsView& points, const Eigen::Matrix3f& R_base_sensor, float min_range_m);
   [[nodiscard]] Plane best_plane(float mount_height_m, float min_up) const;
   [[nodiscard]] float score(const Plane& plane) const;
-  void refine(Plane& plane) const;
+  void refine(Plane& plane, float min_up) const;
   [[nodiscard]] LevelPlane judge(const Plane& plane, const Eigen::Matrix3d& R_base_sensor) const;
 
   std::vector<LowPoints> lowest_;  ///< per cell of a square grid
