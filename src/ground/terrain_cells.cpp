@@ -48,8 +48,10 @@ void locate(const float* __restrict x, const float* __restrict y, const float* _
     height_m[i] = height;
 
     const float range = std::sqrt(level_x * level_x + level_y * level_y);
-    const bool inside = (range < l.max_range_m) & (std::fabs(height) < l.max_range_m) &
-                        (std::fabs(px) + std::fabs(py) + std::fabs(pz) > 0.0F);
+    const float rise = std::fabs(height);
+    const float extent = std::fabs(px) + std::fabs(py) + std::fabs(pz);
+    // Without a branch: "and" that may stop early keeps g++ from using wide registers.
+    const bool inside = (range < l.max_range_m) & (rise < l.max_range_m) & (extent > 0.0F);
 
     const float along = std::fabs(level_x);
     const float across = std::fabs(level_y);
@@ -76,8 +78,7 @@ void locate(const float* __restrict x, const float* __restrict y, const float* _
 TerrainCells::TerrainCells(int sector_count, double cell_m, double max_range)
     : sectors(sector_count),
       bins_per_octave(std::max(1, static_cast<int>(std::lround(static_cast<double>(kShift_m) / cell_m)))),
-      max_range_m(static_cast<float>(max_range)),
-      bins(0) {
+      max_range_m(static_cast<float>(max_range)) {
   edges_m.push_back(0.0F);
   for (float octave_m = kShift_m; edges_m.back() < max_range_m; octave_m *= 2.0F) {
     for (int i = 1; i <= bins_per_octave && edges_m.back() < max_range_m; ++i) {

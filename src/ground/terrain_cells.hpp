@@ -25,7 +25,7 @@ struct TerrainCells {
   int sectors;
   int bins_per_octave;
   float max_range_m;
-  int bins;
+  int bins = 0;
   std::vector<float> edges_m;  ///< bins + 1
 };
 

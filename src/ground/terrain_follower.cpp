@@ -80,8 +80,8 @@ void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restri
     const float drop_m = bin.lonely_drop_m + bin.gate_sigmas * sigma_m;
     const float to_right_m = std::fabs(lowest_m[s] - right_m[s]);
     const float to_left_m = std::fabs(lowest_m[s] - left_m[s]);
-    const bool alone = (to_right_m > bin.lonely_drop_m) & (to_left_m > bin.lonely_drop_m);
-    const bool reflection = (surprise_m < -drop_m) & alone;
+    const bool alone = to_right_m > bin.lonely_drop_m && to_left_m > bin.lonely_drop_m;
+    const bool reflection = surprise_m < -drop_m && alone;
 
     const float foot_m = reflection ? expected_m : lowest_m[s];
     const float span_m =
@@ -89,7 +89,7 @@ void predict_and_correct(std::size_t sectors, BinStep bin, const float* __restri
     const float widening_m = sigma_m * (span_m > kBareSpan_m ? bin.object_gate_sigmas : bin.gate_sigmas);
     const float up_m = bin.step_up_m + (widening_m < kMaxWidening_m ? widening_m : kMaxWidening_m);
     const float down_m = bin.step_down_m + bin.gate_sigmas * sigma_m;
-    const float accepted = (surprise_m < up_m) & (surprise_m > -down_m) & !reflection ? usable : 0.0F;
+    const float accepted = surprise_m < up_m && surprise_m > -down_m && !reflection ? usable : 0.0F;
 
     const float correction_m = accepted > 0.0F ? surprise_m : 0.0F;  // an empty cell's surprise is infinite
     const float gain = accepted / (hh + bin.noise_m2);

@@ -12,12 +12,12 @@ namespace berm {
 /// A cloud as read-only spans, one per channel: what algorithms take. An absent channel is empty, never zeros;
 /// every other has length `size()`. Valid as long as the owner of the memory.
 struct PointsView {
-  std::span<const float> x;            ///< m
-  std::span<const float> y;            ///< m
-  std::span<const float> z;            ///< m
-  std::span<const float> intensity;    ///< 0..255, calibrated reflectivity where the sensor gives it
-  std::span<const float> time;         ///< s since the stamp of the scan
-  std::span<const std::uint16_t> ring; ///< index of the laser, from the lowest
+  std::span<const float> x;             ///< m
+  std::span<const float> y;             ///< m
+  std::span<const float> z;             ///< m
+  std::span<const float> intensity;     ///< 0..255, calibrated reflectivity where the sensor gives it
+  std::span<const float> time;          ///< s since the stamp of the scan
+  std::span<const std::uint16_t> ring;  ///< index of the laser, from the lowest
   std::span<const Label> label;
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
