@@ -6,6 +6,7 @@ find_package(CLI11 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(PNG REQUIRED)
+find_package(embree REQUIRED)
 find_package(lzf REQUIRED)
 find_package(tsl-robin-map REQUIRED)
 

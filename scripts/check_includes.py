@@ -21,6 +21,7 @@ TABLE = {
     "geometry": {"core"},
     "ground": {"core", "geometry"},
     "io": {"core"},
+    "sim": {"core", "geometry", "io"},
     "eval": {"core", "io"},
     "render": {"core", "geometry"},
     "pipeline": {"core", "geometry", "ground", "io", "render"},
