@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "berm/core/pose.hpp"
+#include "berm/core/trajectory.hpp"
+
+namespace berm::sim {
+
+/// A frame at one time: `p_world = rotation * p + origin_m`.
+struct Placed {
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d origin_m;
+};
+
+/// The screw motion from one pose to the next of something mounted on it: what `interpolate(from, to, s) * mount` says,
+/// to rounding, for a twentieth of its cost.
+class ScrewMotion {
+ public:
+  ScrewMotion(const Pose& T_world_from, const Pose& T_world_to, const Pose& T_from_mounted);
+
+  void at(double s, Placed& placed) const;
+  [[nodiscard]] const Eigen::Vector3d& start_m() const { return origin_[0]; }
+
+ private:
+  double angle_rad_ = 0.0;
+  // R(s) = R0 + c1 R1 + c2 R2 and o(s) = o0 + s os + c1 o1 + c2 o2 + c3 o3, with c1..c3 of s and the angle.
+  std::array<Eigen::Matrix3d, 3> rotation_;
+  std::array<Eigen::Vector3d, 5> origin_;
+};
+
+/// Something on a trajectory; it stands still before the first and after the last pose.
+class PoseTrack {
+ public:
+  /// The trajectory must not be empty.
+  explicit PoseTrack(const Trajectory& trajectory);
+
+  void at(double time_s, Placed& placed) const;
+  /// Largest speed of the origin between two poses.
+  [[nodiscard]] double max_speed_m_per_s() const { return max_speed_m_per_s_; }
+
+ private:
+  std::vector<double> times_s_;
+  std::vector<ScrewMotion> motions_;
+  double max_speed_m_per_s_ = 0.0;
+};
+
+}  // namespace berm::sim
