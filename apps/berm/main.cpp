@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "berm/core/error.hpp"
-#include "berm/pipeline/version.hpp"
+#include "berm/core/version.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "exit_code.hpp"

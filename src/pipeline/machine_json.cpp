@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "field_access.hpp"
+#include "berm/io/field_access.hpp"
 
 namespace berm {
 

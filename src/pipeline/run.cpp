@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 
 #include "berm/core/error.hpp"
+#include "berm/core/ordered_parallel.hpp"
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/label_file.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "berm/pipeline/pipeline.hpp"
-#include "ordered_parallel.hpp"
 #include "output_folder.hpp"
 #include "run_report.hpp"
 #include "stage_times.hpp"

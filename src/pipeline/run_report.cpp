@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-#include "berm/pipeline/version.hpp"
+#include "berm/core/version.hpp"
 #include "machine_json.hpp"
 
 namespace berm {

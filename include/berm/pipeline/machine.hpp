@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "berm/core/config.hpp"
-#include "berm/core/pose.hpp"
+#include "berm/core/mount.hpp"
 #include "berm/ground/polar_ground.hpp"
 #include "berm/ground/terrain_ground.hpp"
+#include "berm/io/settings.hpp"
 
 namespace berm {
 
@@ -35,29 +36,6 @@ struct SensorConfig {
   void check() const { check_fields(*this, "sensor"); }
 };
 
-/// Where the sensor sits: base_link is on the ground under the origin of the machine, x forward, y left, z up.
-struct MountConfig {
-  double height_m = 0.0;
-  double pitch_deg = 0.0;
-  double roll_deg = 0.0;
-  double yaw_deg = 0.0;
-  double x_m = 0.0;
-  double y_m = 0.0;
-
-  static void fields(auto&& field) {
-    field("height_m", &MountConfig::height_m, Range{0.0, 50.0}, "height of the sensor above the ground");
-    field("pitch_deg", &MountConfig::pitch_deg, Range{-180.0, 180.0}, "nose down is positive");
-    field("roll_deg", &MountConfig::roll_deg, Range{-180.0, 180.0},
-          "right side down is positive; 180 hangs it upside down");
-    field("yaw_deg", &MountConfig::yaw_deg, Range{-180.0, 180.0}, "turned to the left is positive");
-    field("x_m", &MountConfig::x_m, Range{-50.0, 50.0}, "forward of base_link");
-    field("y_m", &MountConfig::y_m, Range{-50.0, 50.0}, "left of base_link");
-  }
-  void check() const { check_fields(*this, "mount"); }
-
-  [[nodiscard]] Pose T_base_sensor() const;
-};
-
 /// Which method does each stage.
 struct MethodConfig {
   std::string ground = "default";
@@ -69,7 +47,8 @@ struct MethodConfig {
   void check() const { check_fields(*this, "methods"); }
 };
 
-/// A machine with its sensor and the configuration of every stage: what a file machines/NAME.yaml says.
+/// A machine with its sensor and the configuration of every stage: what a file machines/NAME.yaml says. `set_value`
+/// and `to_yaml` are those of all settings.
 struct Machine {
   MachineInfo machine;
   SensorConfig sensor;
@@ -97,14 +76,6 @@ struct Machine {
 
 /// `parse_machine` of the file's content. Files above 64 KiB are refused.
 [[nodiscard]] Machine read_machine(const std::filesystem::path& file);
-
-/// Sets one value from text like "ground.min_range_m=3", as strictly as a file would; returns the key that was set.
-/// `where` names the origin in messages, such as "--set ground.min_range_m=3". Whether the values fit each other is
-/// left to `Machine::check`, since more may follow.
-std::string set_value(Machine& machine, std::string_view assignment, const std::string& where);
-
-/// The machine as a YAML file with every key, its meaning and what is allowed; `parse_machine` reads it back.
-[[nodiscard]] std::string to_yaml(const Machine& machine);
 
 /// Folders that are searched for NAME.yaml, in this order: ./machines, then share/berm/machines beside the program
 /// and one level above it (installed).

@@ -1,4 +1,4 @@
-#include "setting.hpp"
+#include "berm/io/settings.hpp"
 
 #include <map>
 #include <sstream>
@@ -9,6 +9,8 @@
 #include <yaml-cpp/parser.h>
 
 #include "berm/core/error.hpp"
+#include "berm/io/closest_name.hpp"
+#include "berm/io/setting.hpp"
 
 namespace berm {
 namespace {
@@ -17,7 +19,8 @@ namespace {
 /// an alias could multiply.
 class SettingReader final : public YAML::EventHandler {
  public:
-  explicit SettingReader(std::string file) : file_(std::move(file)) {}
+  SettingReader(std::string file, std::string_view example)
+      : file_(std::move(file)), expected_("expected sections such as '" + std::string(example) + ":' and found ") {}
 
   [[nodiscard]] std::vector<Setting> take() { return std::move(settings_); }
 
@@ -30,7 +33,7 @@ class SettingReader final : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
     if (depth_ == 0) {
-      fail(mark, "expected sections such as 'machine:' and found nothing");
+      fail(mark, expected_ + "nothing");
     }
     if (!awaits_value_) {
       fail(mark, "expected a key and found nothing");
@@ -55,7 +58,7 @@ class SettingReader final : public YAML::EventHandler {
       fail(mark, "tags (!name) are not allowed");
     }
     if (depth_ == 0) {
-      fail(mark, "expected sections such as 'machine:' and found '" + value.substr(0, 40) + "'");
+      fail(mark, expected_ + "'" + value.substr(0, 40) + "'");
     }
     if (!awaits_value_) {
       start_key(mark, value);
@@ -107,7 +110,7 @@ class SettingReader final : public YAML::EventHandler {
       throw ConfigError(place(mark), depth_ == 1 ? section_ : section_ + "." + key_,
                         "expected " + expected + " and found " + found);
     }
-    fail(mark, "expected sections such as 'machine:' and found " + found);
+    fail(mark, expected_ + found);
   }
 
   [[nodiscard]] std::string place(const YAML::Mark& mark) const {
@@ -119,6 +122,7 @@ class SettingReader final : public YAML::EventHandler {
   }
 
   std::string file_;
+  std::string expected_;
   std::vector<Setting> settings_;
   std::map<std::string, int> lines_;
   std::string section_;
@@ -131,8 +135,8 @@ class SettingReader final : public YAML::EventHandler {
 
 }  // namespace
 
-std::vector<Setting> parse_settings(std::string_view yaml, const std::string& file) {
-  SettingReader reader(file);
+std::vector<Setting> parse_settings(std::string_view yaml, const std::string& file, std::string_view example) {
+  SettingReader reader(file, example);
   std::istringstream stream{std::string(yaml)};
   try {
     YAML::Parser parser(stream);
@@ -143,6 +147,22 @@ std::vector<Setting> parse_settings(std::string_view yaml, const std::string& fi
     throw FileError(ErrorCode::malformed, place, std::nullopt, "no valid YAML: " + error.msg);
   }
   return reader.take();
+}
+
+Setting split_assignment(std::string_view assignment, const std::string& where) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.find('.');
+  if (equals == std::string_view::npos || dot == std::string_view::npos || dot > equals) {
+    throw ConfigError(where, std::string(assignment.substr(0, equals)),
+                      "expected SECTION.KEY=VALUE, such as mount.height_m=2.3");
+  }
+  return {where, std::string(assignment.substr(0, dot)), std::string(assignment.substr(dot + 1, equals - dot - 1)),
+          std::string(assignment.substr(equals + 1)), false};
+}
+
+void detail::refuse_unknown(const std::string& where, const std::string& key, const std::string& kind,
+                            const std::string& written, const std::vector<std::string>& names) {
+  throw ConfigError(where, key, "unknown " + kind + did_you_mean(written, names) + " Allowed: " + enumerate(names));
 }
 
 }  // namespace berm

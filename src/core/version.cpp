@@ -1,4 +1,4 @@
-#include "berm/pipeline/version.hpp"
+#include "berm/core/version.hpp"
 
 namespace berm {
 

@@ -1,11 +1,10 @@
-#include "field_text.hpp"
-
 #include <charconv>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "berm/core/error.hpp"
+#include "berm/io/setting.hpp"
 
 namespace berm {
 namespace {
@@ -25,42 +24,42 @@ bool parse_whole(const std::string& text, Value& value) {
 
 }  // namespace
 
-double parse_number(const Setting& setting) {
-  double value = 0.0;
+void parse_into(double& value, const Setting& setting) {
   if (setting.quoted || !parse_whole(setting.text, value)) {
     wrong_type(setting, "a number");
   }
-  return value;
 }
 
-int parse_integer(const Setting& setting) {
-  int value = 0;
+void parse_into(int& value, const Setting& setting) {
   if (setting.quoted || !parse_whole(setting.text, value)) {
     wrong_type(setting, "a whole number");
   }
-  return value;
 }
 
-bool parse_bool(const Setting& setting) {
+void parse_into(bool& value, const Setting& setting) {
   if (setting.quoted || (setting.text != "true" && setting.text != "false")) {
     wrong_type(setting, "true or false");
   }
-  return setting.text == "true";
+  value = setting.text == "true";
 }
 
-std::string to_text(double value) {
+void parse_into(std::string& value, const Setting& setting) {
+  value = setting.text;
+}
+
+std::string setting_text(double value) {
   return fmt::format("{}", value);
 }
 
-std::string to_text(int value) {
+std::string setting_text(int value) {
   return std::to_string(value);
 }
 
-std::string to_text(bool value) {
+std::string setting_text(bool value) {
   return value ? "true" : "false";
 }
 
-std::string to_text(const std::string& value) {
+std::string setting_text(const std::string& value) {
   std::string text = "\"";
   for (const char c : value) {
     if (c == '"' || c == '\\') {
@@ -69,6 +68,22 @@ std::string to_text(const std::string& value) {
     text += c;
   }
   return text + '"';
+}
+
+std::string allowed_text(const Range& range) {
+  return setting_text(range.min) + " to " + setting_text(range.max);
+}
+
+std::string allowed_text(const Choices& choices) {
+  std::string text;
+  for (const std::string_view name : choices.names) {
+    text += (text.empty() ? "" : " | ") + std::string(name);
+  }
+  return text;
+}
+
+std::string allowed_text(const TextLimit& /*limit*/) {
+  return "text";
 }
 
 }  // namespace berm

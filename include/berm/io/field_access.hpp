@@ -7,26 +7,9 @@
 
 #include "berm/core/config.hpp"
 #include "berm/core/error.hpp"
-#include "berm/pipeline/machine.hpp"
-#include "field_text.hpp"
-#include "setting.hpp"
+#include "berm/io/setting.hpp"
 
 namespace berm {
-
-/// How a field is described to people.
-[[nodiscard]] inline std::string allowed_text(const Range& range) {
-  return to_text(range.min) + " to " + to_text(range.max);
-}
-[[nodiscard]] inline std::string allowed_text(const Choices& choices) {
-  std::string text;
-  for (const std::string_view name : choices.names) {
-    text += (text.empty() ? "" : " | ") + std::string(name);
-  }
-  return text;
-}
-[[nodiscard]] inline std::string allowed_text(const TextLimit& /*limit*/) {
-  return "text";
-}
 
 /// Visitor of `Config::fields` that takes any field as (key, member, allowed text, problem of a value, text).
 template <typename Action>
@@ -53,20 +36,8 @@ struct EachField {
 template <typename Action>
 EachField(Action) -> EachField<Action>;
 
-inline void parse_into(double& value, const Setting& setting) {
-  value = parse_number(setting);
-}
-inline void parse_into(int& value, const Setting& setting) {
-  value = parse_integer(setting);
-}
-inline void parse_into(bool& value, const Setting& setting) {
-  value = parse_bool(setting);
-}
-inline void parse_into(std::string& value, const Setting& setting) {
-  value = setting.text;
-}
-
-/// Sets the field that `setting` names; returns false if `config` has no such field.
+/// Sets the field that `setting` names; returns false if `config` has no such field. Throws ConfigError for a value of
+/// another type or outside of what is allowed.
 template <typename Config>
 [[nodiscard]] bool assign(Config& config, const Setting& setting) {
   bool found = false;

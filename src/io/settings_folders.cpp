@@ -1,9 +1,10 @@
+#include "berm/io/settings_folders.hpp"
+
 #include <algorithm>
 #include <system_error>
 
 #include "berm/core/error.hpp"
-#include "berm/pipeline/machine.hpp"
-#include "closest_name.hpp"
+#include "berm/io/closest_name.hpp"
 
 namespace berm {
 namespace {
@@ -16,19 +17,19 @@ std::vector<std::string> to_strings(const std::vector<std::filesystem::path>& pa
 
 }  // namespace
 
-std::vector<std::filesystem::path> machine_folders() {
-  std::vector<std::filesystem::path> folders = {"machines"};
+std::vector<std::filesystem::path> settings_folders(const SettingsKind& kind) {
+  std::vector<std::filesystem::path> folders = {kind.plural};
   std::error_code code;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", code);
   if (!code) {
     const std::filesystem::path folder = program.parent_path();
-    folders.push_back(folder / "share/berm/machines");
-    folders.push_back(folder.parent_path() / "share/berm/machines");
+    folders.push_back(folder / "share/berm" / kind.plural);
+    folders.push_back(folder.parent_path() / "share/berm" / kind.plural);
   }
   return folders;
 }
 
-std::vector<std::string> list_machines(const std::vector<std::filesystem::path>& folders) {
+std::vector<std::string> list_settings(const std::vector<std::filesystem::path>& folders) {
   std::vector<std::string> names;
   for (const auto& folder : folders) {
     std::error_code code;
@@ -43,7 +44,8 @@ std::vector<std::string> list_machines(const std::vector<std::filesystem::path>&
   return names;
 }
 
-std::filesystem::path find_machine(const std::string& name_or_file, const std::vector<std::filesystem::path>& folders) {
+std::filesystem::path find_settings(const SettingsKind& kind, const std::string& name_or_file,
+                                    const std::vector<std::filesystem::path>& folders) {
   std::filesystem::path file(name_or_file);
   if (name_or_file.find('/') != std::string::npos || file.extension() == ".yaml" || file.extension() == ".yml") {
     return file;
@@ -55,14 +57,14 @@ std::filesystem::path find_machine(const std::string& name_or_file, const std::v
       return candidate;
     }
   }
-  const auto names = list_machines(folders);
-  std::string problem = "unknown machine '" + name_or_file + "'" + did_you_mean(name_or_file, names);
+  const auto names = list_settings(folders);
+  std::string problem = "unknown " + kind.singular + " '" + name_or_file + "'" + did_you_mean(name_or_file, names);
   if (names.empty()) {
-    problem += " No machine files were found in " + enumerate(to_strings(folders));
+    problem += " No " + kind.singular + " files were found in " + enumerate(to_strings(folders));
   } else {
     problem += " Known: " + enumerate(names);
   }
-  throw ConfigError("--machine", problem + "; or name a file that ends in .yaml");
+  throw ConfigError(kind.argument, problem + "; or name a file that ends in .yaml");
 }
 
 }  // namespace berm

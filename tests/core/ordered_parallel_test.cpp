@@ -1,4 +1,4 @@
-#include "ordered_parallel.hpp"
+#include "berm/core/ordered_parallel.hpp"
 
 #include <atomic>
 #include <chrono>

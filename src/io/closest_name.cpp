@@ -1,4 +1,4 @@
-#include "closest_name.hpp"
+#include "berm/io/closest_name.hpp"
 
 #include <algorithm>
 #include <cstddef>

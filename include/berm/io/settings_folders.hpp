@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace berm {
+
+/// A kind of settings that are found by name: NAME.yaml in one of some folders.
+struct SettingsKind {
+  std::string singular;  ///< "machine"
+  std::string plural;    ///< "machines": the name of the folder, too
+  std::string argument;  ///< of the command line, for messages: "--machine"
+};
+
+/// Folders that are searched for NAME.yaml, in this order: ./PLURAL, then share/berm/PLURAL beside the program and one
+/// level above it (installed).
+[[nodiscard]] std::vector<std::filesystem::path> settings_folders(const SettingsKind& kind);
+
+/// Names of the settings in `folders`, sorted, each once.
+[[nodiscard]] std::vector<std::string> list_settings(const std::vector<std::filesystem::path>& folders);
+
+/// The file of settings: `name_or_file` itself if it names a file (it holds a slash or ends in .yaml or .yml), else
+/// the first NAME.yaml in `folders`. Throws ConfigError listing the names that exist.
+[[nodiscard]] std::filesystem::path find_settings(const SettingsKind& kind, const std::string& name_or_file,
+                                                  const std::vector<std::filesystem::path>& folders);
+
+}  // namespace berm
