@@ -1,5 +1,6 @@
-// What the ground methods get right, as a table: trivial baseline, method G, the default, and the default with its
-// steps switched off one by one. F1 in percent; ground and what is left out as `berm eval` has it.
+// What the ground methods get right, as tables: trivial baseline, method G, the default, and the default with its
+// steps switched off one by one; then the default in every made world by itself. F1 in percent; ground and what is left
+// out as `berm eval` has it.
 //
 //   BERM_DATA=FOLDER berm_accuracy        FOLDER holds kitti00 and wads36; without it the made terrains alone
 
@@ -23,6 +24,7 @@
 #include "berm/io/label_file.hpp"
 #include "berm/io/recording.hpp"
 #include "made_terrains.hpp"
+#include "world_table.hpp"
 
 namespace berm::bench {
 namespace {
@@ -66,10 +68,10 @@ PointCloud turned(const PointCloud& cloud, const Pose& turn) {
   return PointCloud(std::move(channels));
 }
 
-/// A copy in which every 300th point below the sensor's waist lies farther out on its beam, and so below the ground,
-/// as mirrored returns of wet asphalt do. Those points are left out of the truth.
-Series with_reflections(const Series& from) {
-  Series series{"mirrored", false, {}};
+/// A copy in which one of `one_in` points below the sensor's waist lies farther out on its beam, and so below the
+/// ground, as mirrored returns of wet asphalt do. Those points are left out of the truth.
+Series with_reflections(const std::string& name, const Series& from, unsigned one_in) {
+  Series series{name, false, {}};
   std::minstd_rand random(1);
   for (const LabelledScan& scan : from.scans) {
     const PointsView points = scan.cloud.view();
@@ -82,7 +84,7 @@ Series with_reflections(const Series& from) {
                            {}};
     std::vector<std::uint32_t> truth = scan.truth;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (points.z[i] < -1.0F && random() % 300 == 0) {
+      if (points.z[i] < -1.0F && random() % one_in == 0) {
         const float farther = 1.1F + 0.0004F * static_cast<float>(random() % 1000);
         channels.x[i] *= farther;
         channels.y[i] *= farther;
@@ -116,12 +118,8 @@ Series make_series(const NamedSensor& sensor) {
   for (const auto& [name, world] : made_terrains()) {
     test::MadeScan made =
         test::cast(world, sensor.beams, test::standing_at_origin(world, sensor.height_m, sensor.pitch_deg));
-    std::vector<std::uint32_t> truth;
-    for (std::size_t i = 0; i < made.cloud.size(); ++i) {
-      const PointsView p = made.cloud.view();
-      truth.push_back(is_no_return(p.x[i], p.y[i], p.z[i]) ? 0 : made.is_terrain[i] ? 72 : 99);
-    }
-    series.scans.push_back({std::move(made.cloud), mount(sensor.height_m, sensor.pitch_deg), std::move(truth)});
+    std::vector<std::uint32_t> truth = truth_of(made);
+    series.scans.push_back({std::move(made.cloud), mount_of(sensor), std::move(truth)});
   }
   return series;
 }
@@ -135,7 +133,8 @@ std::vector<Series> collect_series() {
     all.push_back(read_series("pitch 10", kitti, 1.73, 10.0, 0.0));
     all.push_back(read_series("pitch 20", kitti, 1.73, 20.0, 0.0));
     all.push_back(read_series("roll 15", kitti, 1.73, 0.0, 15.0));
-    all.push_back(with_reflections(all.front()));
+    all.push_back(with_reflections("mirror .3", all.front(), 300));
+    all.push_back(with_reflections("mirror 1", all.front(), 100));
   }
   if (data != nullptr && fs::exists(fs::path(data) / "wads36")) {
     all.push_back(read_series("WADS", fs::path(data) / "wads36", 2.0, 0.0, 0.0));
@@ -152,11 +151,7 @@ double measure_f1(GroundSegmenter& ground, const Series& series) {
   double sum = 0.0;
   for (const LabelledScan& scan : series.scans) {
     const GroundResult result = ground.process(scan.cloud.view(), scan.T_base_sensor);
-    std::vector<std::uint32_t> output;
-    for (const GroundClass c : result.classes) {
-      output.push_back(c == GroundClass::ground ? 40 : 99);
-    }
-    const BinaryCounts counts = judge_ground(output, scan.truth);
+    const BinaryCounts counts = judge_ground(labels_of(result), scan.truth);
     pooled += counts;
     sum += derive_metrics(counts).f1.value_or(0.0);
   }
@@ -215,5 +210,6 @@ void print_table() {
 
 int main() {
   berm::bench::print_table();
+  berm::bench::print_world_table();
   return 0;
 }

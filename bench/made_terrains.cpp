@@ -16,6 +16,15 @@ double rough(double x, double y) {
   return 0.04 * std::sin(5.0 * x + 1.0) * std::sin(4.3 * y) + 0.03 * std::sin(11.0 * x + 7.0 * y);
 }
 
+/// Steeper and steeper up to 30 degrees at `steepest_m` from the middle, and no steeper beyond.
+Terrain bowl(double steepest_m) {
+  return [steepest_m](double x, double y) {
+    constexpr double kSteepest = 0.577;
+    const double r = std::hypot(x, y);
+    return r < steepest_m ? kSteepest * r * r / (2.0 * steepest_m) : kSteepest * (r - 0.5 * steepest_m);
+  };
+}
+
 /// Sixty boxes and poles within 5 .. 40 m.
 test::World with_things(Terrain terrain, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -42,7 +51,8 @@ std::vector<NamedWorld> made_terrains() {
   const std::pair<const char*, Terrain> terrains[] = {
       {"slope_30_deg_up", [](double x, double) { return 0.577 * x; }},
       {"slope_30_deg_across", [](double, double y) { return -0.577 * y; }},
-      {"bowl", [](double x, double y) { return (x * x + y * y) / 160.0; }},
+      {"wide_bowl", bowl(46.0)},
+      {"deep_bowl", bowl(20.0)},
       {"round_crest", [](double x, double) { return -x * x / 120.0; }},
       {"sharp_crest", [](double x, double) { return x < 15.0 ? 0.0 : -0.4 * (x - 15.0); }},
       {"hills", [](double x, double y) { return 2.5 * std::sin(x / 7.0) * std::cos(y / 9.0); }},
@@ -63,6 +73,27 @@ std::vector<NamedSensor> made_sensors() {
   return {{"64 rings", test::spinning_beams(64, -25.0, 3.0, 1024), 1.8, 0.0},
           {"16 rings", test::spinning_beams(16, -15.0, 15.0, 1800), 3.0, 3.0},
           {"rosette", test::rosette_beams(70.4, 10000), 2.3, 11.0}};
+}
+
+Pose mount_of(const NamedSensor& sensor) {
+  return Pose::from_yaw_pitch_roll(0.0, sensor.pitch_deg * std::numbers::pi / 180.0, 0.0, {0.0, 0.0, sensor.height_m});
+}
+
+std::vector<std::uint32_t> truth_of(const test::MadeScan& scan) {
+  const PointsView points = scan.cloud.view();
+  std::vector<std::uint32_t> truth;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    truth.push_back(is_no_return(points.x[i], points.y[i], points.z[i]) ? 0 : scan.is_terrain[i] ? 72 : 99);
+  }
+  return truth;
+}
+
+std::vector<std::uint32_t> labels_of(const GroundResult& result) {
+  std::vector<std::uint32_t> labels;
+  for (const GroundClass c : result.classes) {
+    labels.push_back(c == GroundClass::ground ? 40 : 99);
+  }
+  return labels;
 }
 
 }  // namespace berm::bench

@@ -27,12 +27,16 @@ constexpr int kCells = 20;  // a side: 2 * kReach_m / kCell_m
 constexpr std::size_t kSamples = 16384;
 
 constexpr std::size_t kMinLowPoints = 10;
-constexpr int kHypotheses = 200;
+constexpr int kHypotheses = 400;
 constexpr int kRefinements = 3;
 
-/// Share of the low points that a plane loses at most for a wrong sensor height; half of it where it is off by 30 %.
+/// Share of the weight of all low points that a plane loses at most for a wrong sensor height; half of it where it is
+/// off by 30 %.
 constexpr float kHeightPrior = 0.1F;
 constexpr float kHeightPriorSpread = 0.3F;
+/// A low point at this distance counts half as much as one right at the sensor: it is the ground under the machine that
+/// the terrain is followed from. The sides of a bowl would win otherwise, since there is so much of them.
+constexpr float kNear_m = 6.0F;
 /// What a low point below the plane costs: nothing is below the ground but reflections, so ground is seldom above it.
 constexpr float kBelowPenalty = 0.5F;
 /// Least height of the sensor above the ground, and least area that three low points must span (twice, in m^2).
@@ -50,11 +54,12 @@ std::size_t stride_for(std::size_t points) {
   return points / kSamples;
 }
 
-/// Sum over the low points of 1 - (distance / tolerance)^2, less a penalty for each that lies below. Eight partial
-/// sums in a fixed order, so that the compiler may use wide registers and the result stays the same.
+/// Weighted sum over the low points of 1 - (distance / tolerance)^2, less a penalty for each that lies below. Eight
+/// partial sums in a fixed order, so that the compiler may use wide registers and the result stays the same.
 BERM_MULTIVERSION
 float sum_scores(const float* __restrict x, const float* __restrict y, const float* __restrict z,
-                 const float* __restrict tolerance_m, std::size_t count, float nx, float ny, float nz, float height_m) {
+                 const float* __restrict tolerance_m, const float* __restrict weight, std::size_t count, float nx,
+                 float ny, float nz, float height_m) {
   constexpr std::size_t kLanes = 8;
   std::array<float, kLanes> sums{};
   const std::size_t whole = count - count % kLanes;
@@ -65,7 +70,7 @@ float sum_scores(const float* __restrict x, const float* __restrict y, const flo
       const float relative = distance / tolerance_m[k];
       const float fit = 1.0F - relative * relative;
       const float miss = distance < 0.0F ? -kBelowPenalty : 0.0F;
-      sums[lane] += fit > 0.0F ? fit : miss;
+      sums[lane] += weight[k] * (fit > 0.0F ? fit : miss);
     }
   }
   float sum = 0.0F;
@@ -124,7 +129,8 @@ void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen:
       low.second = p;
     }
   }
-  x_.clear(), y_.clear(), z_.clear(), tolerance_m_.clear();
+  x_.clear(), y_.clear(), z_.clear(), tolerance_m_.clear(), weight_.clear();
+  weight_sum_ = 0.0F;
   for (const LowPoints& cell : lowest_) {
     // The second lowest: a lone reflection from below the ground does no harm.
     const Vector3f& low = cell.second;
@@ -132,13 +138,15 @@ void LevelPlaneFinder::collect_low_points(const PointsView& points, const Eigen:
       x_.push_back(low.x()), y_.push_back(low.y()), z_.push_back(low.z());
       // Near: what a rough ground shows. Farther out a hill or a hollow leaves its tangent plane.
       tolerance_m_.push_back(0.1F + 0.04F * std::hypot(low.x(), low.y()));
+      weight_.push_back(1.0F / (1.0F + (low.x() * low.x() + low.y() * low.y()) / (kNear_m * kNear_m)));
+      weight_sum_ += weight_.back();
     }
   }
 }
 
 float LevelPlaneFinder::score(const Plane& plane) const {
-  return sum_scores(x_.data(), y_.data(), z_.data(), tolerance_m_.data(), x_.size(), plane.normal.x(), plane.normal.y(),
-                    plane.normal.z(), plane.height_m);
+  return sum_scores(x_.data(), y_.data(), z_.data(), tolerance_m_.data(), weight_.data(), x_.size(), plane.normal.x(),
+                    plane.normal.y(), plane.normal.z(), plane.height_m);
 }
 
 LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float min_up) const {
@@ -163,7 +171,7 @@ LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float
     float plane_score = score(plane);
     if (mount_height_m > 0.0F) {
       const float off = (plane.height_m / mount_height_m - 1.0F) / kHeightPriorSpread;
-      plane_score -= kHeightPrior * static_cast<float>(x_.size()) * off * off / (1.0F + off * off);
+      plane_score -= kHeightPrior * weight_sum_ * off * off / (1.0F + off * off);
     }
     if (plane_score > best_score) {
       best_score = plane_score;
@@ -173,7 +181,8 @@ LevelPlaneFinder::Plane LevelPlaneFinder::best_plane(float mount_height_m, float
   return best;
 }
 
-/// Least squares over the low points near the plane, with Cauchy weights, as long as it leans no more than allowed.
+/// Least squares over the low points near the plane, weighted by nearness and after Cauchy, as long as it leans no more
+/// than allowed.
 void LevelPlaneFinder::refine(Plane& plane, float min_up) const {
   for (int i = 0; i < kRefinements; ++i) {
     Moments moments;
@@ -181,7 +190,7 @@ void LevelPlaneFinder::refine(Plane& plane, float min_up) const {
       const Vector3f p(x_[k], y_[k], z_[k]);
       const float relative = (plane.normal.dot(p) + plane.height_m) / tolerance_m_[k];
       if (std::fabs(relative) < 1.0F) {
-        moments.add(p.cast<double>(), 1.0 / (1.0 + 4.0 * static_cast<double>(relative * relative)));
+        moments.add(p.cast<double>(), static_cast<double>(weight_[k] / (1.0F + 4.0F * relative * relative)));
       }
     }
     const std::optional<PlaneFit> fit = fit_plane(moments);

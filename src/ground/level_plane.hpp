@@ -46,6 +46,8 @@ class LevelPlaneFinder {
   std::vector<float> y_;
   std::vector<float> z_;
   std::vector<float> tolerance_m_;  ///< how far off the plane a low point may lie
+  std::vector<float> weight_;       ///< near ones count more
+  float weight_sum_ = 0.0F;
 };
 
 }  // namespace berm

@@ -39,7 +39,7 @@ TEST(TerrainWorlds, AreFoundBy64Rings) {
   expect_floors(test::rings_64(), {{"flat street", 0.99},
                                    {"slope along", 0.99},
                                    {"slope across", 0.99},
-                                   {"bowl", 0.80},
+                                   {"bowl", 0.99},
                                    {"crest", 0.985},
                                    {"rolling hills", 0.98},
                                    {"ditch", 0.93},
@@ -50,9 +50,9 @@ TEST(TerrainWorlds, AreFoundBy16Rings) {
   expect_floors(test::rings_16(), {{"flat street", 0.97},
                                    {"slope along", 0.98},
                                    {"slope across", 0.98},
-                                   {"bowl", 0.70},
+                                   {"bowl", 0.87},
                                    {"crest", 0.84},
-                                   {"rolling hills", 0.69},
+                                   {"rolling hills", 0.88},
                                    {"ditch", 0.89},
                                    {"rough ground", 0.965}});
 }
@@ -61,35 +61,23 @@ TEST(TerrainWorlds, AreFoundByARosetteOf70Degrees) {
   expect_floors(test::rosette(), {{"flat street", 0.99},
                                   {"slope along", 0.99},
                                   {"slope across", 0.99},
-                                  {"bowl", 0.96},
+                                  {"bowl", 0.965},
                                   {"crest", 0.98},
                                   {"rolling hills", 0.98},
                                   {"ditch", 0.97},
                                   {"rough ground", 0.935}});
 }
 
-/// Worlds with a plane around the sensor. In a bowl, on a crest and on hills many planes fit about as well, and which
-/// one is taken depends on the mount height and, in the bowl, on the tilt.
-std::vector<Terrain> terrains_without(const std::vector<std::string>& names) {
-  std::vector<Terrain> kept = test::all_terrains();
-  kept.erase(std::remove_if(kept.begin(), kept.end(),
-                            [&names](const Terrain& terrain) {
-                              return std::find(names.begin(), names.end(), terrain.name) != names.end();
-                            }),
-             kept.end());
-  return kept;
-}
-
-TEST(TerrainWorlds, LabelsStayWhenTheCloudIsTilted) {
+TEST(TerrainWorlds, LabelsAreAsGoodWhenTheCloudIsTilted) {
   const Sensor sensor = test::rings_64();
   TerrainGround ground({});
-  for (const Terrain& terrain : terrains_without({"bowl"})) {
+  for (const Terrain& terrain : test::all_terrains()) {
     const test::MadeScan scan = sensor.look(terrain.world);
     const double level = test::ground_f1(ground.process(scan.cloud.view(), sensor.T_base_sensor()), scan);
     for (const auto& [pitch_deg, roll_deg] : {std::pair{10.0, 0.0}, {20.0, 0.0}, {0.0, 15.0}, {-10.0, -15.0}}) {
       const PointCloud tilted = test::turned(scan.cloud.view(), 0.0, pitch_deg, roll_deg);
       const double f1 = test::ground_f1(ground.process(tilted.view(), sensor.T_base_sensor()), scan);
-      EXPECT_NEAR(f1, level, 0.003) << terrain.name << ", pitch " << pitch_deg << ", roll " << roll_deg;
+      EXPECT_GT(f1, level - 0.003) << terrain.name << ", pitch " << pitch_deg << ", roll " << roll_deg;
     }
   }
 }
@@ -97,7 +85,7 @@ TEST(TerrainWorlds, LabelsStayWhenTheCloudIsTilted) {
 TEST(TerrainWorlds, AWrongMountHeightHardlyMatters) {
   const Sensor sensor = test::rings_64();
   TerrainGround ground({});
-  for (const Terrain& terrain : terrains_without({"bowl", "crest", "rolling hills"})) {
+  for (const Terrain& terrain : test::all_terrains()) {
     const test::MadeScan scan = sensor.look(terrain.world);
     const double right = test::ground_f1(ground.process(scan.cloud.view(), sensor.T_base_sensor()), scan);
     for (const double share : {0.0, 0.7, 1.4, 2.0}) {
