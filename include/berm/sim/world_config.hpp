@@ -52,8 +52,7 @@ struct RouteConfig {
     field("bend_deg", &RouteConfig::bend_deg, Range{0.0, 120.0}, "turn of the sharpest bend");
     field("min_gradient_deg", &RouteConfig::min_gradient_deg, Range{-40.0, 40.0},
           "least gradient along the route; negative: downhill");
-    field("max_gradient_deg", &RouteConfig::max_gradient_deg, Range{-40.0, 40.0},
-          "greatest gradient along the route");
+    field("max_gradient_deg", &RouteConfig::max_gradient_deg, Range{-40.0, 40.0}, "greatest gradient along the route");
     field("gradient_every_m", &RouteConfig::gradient_every_m, Range{20.0, 1000.0},
           "distance over which the gradient changes");
     field("roller_height_m", &RouteConfig::roller_height_m, Range{0.0, 3.0},

@@ -1,0 +1,137 @@
+#include "build_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "natural_ground.hpp"
+#include "route_course.hpp"
+#include "run_plans.hpp"
+
+namespace berm::sim {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+/// What branches off is this much narrower.
+constexpr double kForkWidthShare = 0.7;
+constexpr double kForkLengthM = 170.0;
+/// After a fork has left its run, its gradient turns to one of its own over this distance.
+constexpr double kForkEaseM = 60.0;
+
+Run make_run(const WorldPlan& plan, std::vector<RoutePoint> course, double share, const RunSeed& seed) {
+  if (plan.world.kind == "piste") {
+    return make_piste(plan.piste, std::move(course), share, seed);
+  }
+  if (plan.world.kind == "haul_road") {
+    return make_haul_road(plan.haul_road, std::move(course), share, seed);
+  }
+  const bool park = plan.world.kind == "car_park";
+  return make_paved(plan.paved, std::move(course), park ? plan.paved.park_width_m : plan.paved.road_width_m);
+}
+
+/// Heights of a fork: those of its run while it lies on it, then on with its gradient, which changes to `gradient`.
+void lay_fork_heights(const Run& run, std::vector<RoutePoint>& course, double gradient) {
+  double slope = 0.0;
+  double left_at_s = -1.0;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    const RunPlace place = run.place(course[i].x_m, course[i].y_m);
+    if (left_at_s < 0.0 && (place.inside_m > 0.0 || i < 4)) {
+      course[i].z_m = run.graded_m(place);
+      slope = i > 0 ? (course[i].z_m - course[i - 1].z_m) / kRouteStepM : 0.0;
+      continue;
+    }
+    left_at_s = left_at_s < 0.0 ? course[i].s_m : left_at_s;
+    const double eased = smooth_step(0.0, kForkEaseM, course[i].s_m - left_at_s);
+    course[i].z_m = course[i - 1].z_m + kRouteStepM * (slope + eased * (gradient - slope));
+  }
+}
+
+Run make_fork(const WorldPlan& plan, const Run& main_run, std::uint64_t index, std::uint64_t seed) {
+  Random random(seed, Purpose::route, 10, index);
+  const double share =
+      (static_cast<double>(index) + random.uniform(0.25, 0.75)) / std::max(1.0, static_cast<double>(plan.piste.forks));
+  const bool haul_road = plan.world.kind == "haul_road";
+  const double s = plan.route.length_m * std::clamp(0.1 + 0.8 * share, 0.1, 0.9);
+  const double side = random.chance(0.5) ? 1.0 : -1.0;
+  // Runs part at small angles, roads of a mine at larger ones.
+  const double turn = (haul_road ? random.uniform(60.0, 85.0) : random.uniform(30.0, 50.0)) * kDegree;
+  std::vector<RoutePoint> course =
+      lay_fork(main_run.route.at(s), side, turn, plan.route.min_radius_m * 1.05, kForkLengthM);
+  const double gradient = std::tan(random.uniform(std::max(plan.route.min_gradient_deg, -12.0),
+                                                  std::max(-12.0, std::min(plan.route.max_gradient_deg, 12.0))) *
+                                   kDegree);
+  lay_fork_heights(main_run, course, gradient);
+  return make_run(plan, std::move(course), kForkWidthShare, {seed, index + 1});
+}
+
+std::uint64_t forks_of(const WorldPlan& plan) {
+  if (plan.world.kind == "piste") {
+    return static_cast<std::uint64_t>(plan.piste.forks);
+  }
+  return plan.world.kind == "haul_road" ? static_cast<std::uint64_t>(plan.haul_road.junctions) : 0;
+}
+
+GroundStyle style_of(const WorldPlan& plan) {
+  GroundStyle style;
+  style.land_sigma_m = plan.world.roughness_m;
+  if (plan.world.kind == "piste") {
+    style.inside_sigma_m = plan.piste.undulation_m;
+    style.outside_sigma_m = plan.piste.rough_snow_m;
+    return style;
+  }
+  const bool haul_road = plan.world.kind == "haul_road";
+  style.inside = haul_road ? Surface::gravel : Surface::asphalt;
+  style.outside = Surface::gravel;
+  style.inside_sigma_m = haul_road ? 0.015 : 0.004;
+  style.inside_wave_m = haul_road ? 2.5 : 8.0;
+  style.outside_sigma_m = haul_road ? 0.05 : plan.paved.verge_m;
+  style.outside_wave_m = 1.8;
+  return style;
+}
+
+PitShape make_pit(const HaulRoadConfig& config, const Run& road, const Area& area, std::uint64_t seed) {
+  const double foot = road.sides[0].shoulder_m.at(0.0);
+  PitShape pit;
+  pit.wall_side = Random(seed, Purpose::terrain, 20).chance(0.5) ? 1.0 : -1.0;
+  pit.wall_from_m = foot + 1.0;
+  pit.wall_height_m = config.wall_height_m;
+  pit.wall_slope = std::tan(config.wall_slope_deg * kDegree);
+  pit.drop_from_m = foot + 0.5;
+  pit.drop_height_m = config.drop_height_m;
+  pit.drop_slope = std::tan(config.drop_slope_deg * kDegree);
+  pit.left_width_m = make_width_raster(road, area, true);
+  pit.right_width_m = make_width_raster(road, area, false);
+  return pit;
+}
+
+}  // namespace
+
+BuiltGround build_ground(const WorldPlan& plan, const std::optional<ElevationModel>& /*elevation*/,
+                         std::uint64_t seed) {
+  std::vector<Run> runs;
+  runs.push_back(make_run(plan, lay_course(plan.route, seed), 1.0, {seed, 0}));
+  for (std::uint64_t i = 0; i < forks_of(plan); ++i) {
+    runs.push_back(make_fork(plan, runs[0], i, seed));
+  }
+  BuiltGround ground;
+  ground.area = area_around(runs, plan.world.margin_m);
+  SmoothRaster natural = make_natural_ground(plan.world, runs, seed);
+  std::optional<PitShape> pit;
+  RoadDetails details;
+  if (plan.world.kind == "haul_road") {
+    pit = make_pit(plan.haul_road, runs[0], ground.area, seed);
+    details = RoadDetails(plan.haul_road, runs[0], seed);
+  }
+  auto terrain = std::make_shared<BuiltTerrain>(std::move(runs), std::move(natural), style_of(plan), seed);
+  if (pit) {
+    terrain->add_pit(std::move(*pit));
+  }
+  terrain->add_details(std::move(details));
+  ground.terrain = std::move(terrain);
+  return ground;
+}
+
+}  // namespace berm::sim

@@ -1,0 +1,37 @@
+#include "berm/sim/build_world.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "build_ground.hpp"
+#include "edge_lines.hpp"
+
+namespace berm::sim {
+namespace {
+
+/// The part of a run that is driven.
+Route driven_part(const Run& run, double length_m) {
+  std::vector<RoutePoint> points;
+  for (const RoutePoint& p : run.route.points()) {
+    if (p.s_m >= 0.0 && p.s_m <= length_m) {
+      points.push_back(p);
+    }
+  }
+  return Route(std::move(points));
+}
+
+}  // namespace
+
+World build_world(const WorldPlan& plan, const std::optional<ElevationModel>& elevation, std::uint64_t seed) {
+  plan.check();
+  const BuiltGround ground = build_ground(plan, elevation, seed);
+  World world;
+  world.terrain = ground.terrain;
+  world.area = ground.area;
+  world.origin_m = ground.origin_m;
+  world.route = driven_part(ground.terrain->runs()[0], plan.route.length_m);
+  world.edges = find_edges(*ground.terrain);
+  return world;
+}
+
+}  // namespace berm::sim
