@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "berm/sim/weather.hpp"
+
+namespace berm::sim {
+
+/// Plumes of dust. Light is lost along a beam as Beer and Lambert say; where a beam loses its light, some comes back.
+class Dust {
+ public:
+  Dust(std::vector<Plume> plumes, const OpticsConfig& optics);
+
+  [[nodiscard]] bool is_empty() const { return plumes_.empty(); }
+  /// Adds to `path` what dust does to the beam: less transmission, and an echo if it is nearer than the one there is.
+  void pass(const AirBeam& beam, Random& random, AirPath& path) const;
+
+ private:
+  std::vector<Plume> plumes_;
+  OpticsConfig optics_;
+  double limit_;
+};
+
+}  // namespace berm::sim

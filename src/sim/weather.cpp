@@ -1,0 +1,123 @@
+#include "berm/sim/weather.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dust.hpp"
+#include "gusts.hpp"
+#include "snowfall_table.hpp"
+
+namespace berm::sim {
+namespace {
+
+/// Where gusts are looked up along a beam: most flakes are found about there.
+constexpr double kGustRange = 5.0;
+
+}  // namespace
+
+struct Weather::Air {
+  SnowfallConfig snowfall;
+  OpticsConfig optics;
+  SnowfallTable table;
+  Gusts gusts;
+  Dust dust;
+  double extinction_m2;  ///< two-way, of a flake
+};
+
+Weather::Weather(const SnowfallConfig& snowfall, const OpticsConfig& optics, std::vector<Plume> plumes,
+                 std::uint64_t seed) {
+  snowfall.check();
+  optics.check();
+  // Mean area of a flake is pi/4 E[D^2] = pi/2 mean^2; the light passes it twice. What flakes diffract stays in the
+  // beam.
+  const double extinction_m2 = 3.14159265 * snowfall.mean_diameter_m * snowfall.mean_diameter_m;
+  air_ = std::make_shared<const Air>(Air{snowfall, optics, SnowfallTable(snowfall, optics), Gusts(snowfall, seed),
+                                         Dust(std::move(plumes), optics), extinction_m2});
+}
+
+bool Weather::is_clear() const {
+  return air_->snowfall.flakes_per_m3 <= 0.0 && air_->snowfall.drift_flakes_per_m3 <= 0.0 && air_->dust.is_empty();
+}
+
+double Weather::expected_flakes(double range_m) const {
+  return air_->snowfall.flakes_per_m3 * air_->table.expected(range_m);
+}
+
+namespace {
+
+/// Flakes per cubic metre along one beam.
+class FlakeDensity {
+ public:
+  FlakeDensity(const SnowfallConfig& snowfall, const AirBeam& beam, double gust)
+      : falling_(snowfall.flakes_per_m3 * gust),
+        drifting_(snowfall.drift_flakes_per_m3 * gust),
+        drift_height_m_(snowfall.drift_height_m),
+        height_m_(beam.height_m),
+        slope_(beam.slope) {
+    most_ = drifting_ > 0.0 ? falling_ + drifting(std::min(height_m_, height_m_ + slope_ * beam.end_m)) : falling_;
+  }
+
+  [[nodiscard]] double most() const { return most_; }
+  [[nodiscard]] double at(double range_m) const {
+    return drifting_ > 0.0 ? falling_ + drifting(height_m_ + slope_ * range_m) : falling_;
+  }
+
+ private:
+  [[nodiscard]] double drifting(double height_m) const {
+    return drifting_ * std::exp(-std::max(height_m, 0.0) / drift_height_m_);
+  }
+
+  double falling_;
+  double drifting_;
+  double drift_height_m_;
+  double height_m_;
+  double slope_;
+  double most_;
+};
+
+/// Range of the nearest flake that is found before the end of the beam, negative if none is: a Poisson process of the
+/// greatest density on the beam, of which as many are dropped as the density is lower where they lie.
+double nearest_flake_m(const SnowfallTable& table, const FlakeDensity& density, double end_m, Random& random) {
+  const double most = density.most();
+  const double expected = table.expected(end_m) * most;
+  double u = random.uniform();
+  if (u >= expected) {
+    return -1.0;  // 1 - exp(-expected) is less: no need for the logarithm
+  }
+  double flakes = -std::log(1.0 - u);
+  while (flakes < expected) {
+    const double range_m = table.range_of(flakes / most);
+    if (random.uniform() * most < density.at(range_m)) {
+      return range_m;
+    }
+    flakes += random.exponential();
+  }
+  return -1.0;
+}
+
+}  // namespace
+
+AirPath Weather::along(const AirBeam& beam, Random& random) const {
+  AirPath path;
+  const SnowfallConfig& snowfall = air_->snowfall;
+  if (snowfall.flakes_per_m3 > 0.0 || snowfall.drift_flakes_per_m3 > 0.0) {
+    const double gust = air_->gusts.at(beam.origin_m + beam.direction * std::min(beam.end_m, kGustRange), beam.time_s);
+    const FlakeDensity density(snowfall, beam, gust);
+    const double mean_density = (density.at(0.0) + density.at(beam.end_m)) / 2.0;
+    path.transmission = std::exp(-mean_density * air_->extinction_m2 * beam.end_m);
+    const double range_m = nearest_flake_m(air_->table, density, beam.end_m, random);
+    if (range_m >= 0.0) {
+      const Flake flake = air_->table.draw(range_m, random);
+      path.has_echo = true;
+      path.echo = {range_m, flake.light, std::min(255.0, 100.0 * flake.light * range_m * range_m), false};
+      path.transmission *= (1.0 - flake.share) * (1.0 - flake.share);
+    }
+  }
+  if (!air_->dust.is_empty()) {
+    air_->dust.pass(beam, random, path);
+  }
+  return path;
+}
+
+}  // namespace berm::sim
