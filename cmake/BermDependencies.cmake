@@ -11,6 +11,12 @@ find_package(lzf REQUIRED)
 find_package(tsl-robin-map REQUIRED)
 find_package(Threads REQUIRED)
 
+find_package(GDAL QUIET)
+option(BERM_WITH_GDAL "Read elevation models in GeoTIFF (needs libgdal-dev)" ${GDAL_FOUND})
+if(BERM_WITH_GDAL)
+  find_package(GDAL REQUIRED)
+endif()
+
 # yaml-cpp names its target differently from version to version.
 if(NOT TARGET yaml-cpp::yaml-cpp)
   add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)

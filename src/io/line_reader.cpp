@@ -42,13 +42,25 @@ LineReader::LineReader(const std::filesystem::path& file)
 }
 
 bool LineReader::next(std::string_view& line) {
+  while (next_or_blank(line)) {
+    if (!line.empty()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool LineReader::next_or_blank(std::string_view& line) {
   while (read_line()) {
     line = buffer_;
     const std::size_t begin = line.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos || line[begin] == '#') {
-      continue;
+    if (begin == std::string_view::npos) {
+      line = {};
+      return true;
     }
-    return true;
+    if (line[begin] != '#') {
+      return true;
+    }
   }
   return false;
 }

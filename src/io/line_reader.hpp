@@ -29,6 +29,9 @@ class LineReader {
   /// too long or holds a NUL byte, and for a read that fails.
   [[nodiscard]] bool next(std::string_view& line);
 
+  /// The same, but blank lines are given, as empty ones.
+  [[nodiscard]] bool next_or_blank(std::string_view& line);
+
   /// Splits `line` at blanks and reads all of it as exactly `values.size()` finite numbers; `what` names the columns.
   void parse_numbers(std::string_view line, std::string_view what, std::span<double> values) const;
 

@@ -8,7 +8,9 @@
 
 #include "berm/core/config.hpp"
 #include "berm/core/error.hpp"
+#include "berm/io/atomic_file.hpp"
 #include "berm/io/file_reader.hpp"
+#include "berm/io/trajectory_file.hpp"
 
 namespace berm {
 namespace {
@@ -57,6 +59,31 @@ std::string text_of(const Json& value, const std::string& key, const std::string
   return value.get<std::string>();
 }
 
+std::uint64_t seed_of(const Json& value, const std::string& name) {
+  if (!value.is_number_unsigned()) {
+    throw FileError(ErrorCode::malformed, name, std::nullopt,
+                    "'seed' is " + value.dump() + ", expected a whole number from 0 to 18446744073709551615");
+  }
+  return value.get<std::uint64_t>();
+}
+
+std::array<double, 3> point_of(const Json& value, const std::string& key, const std::string& name) {
+  if (!value.is_array() || value.size() != 3) {
+    throw FileError(ErrorCode::malformed, name, std::nullopt,
+                    "'" + key + "' is a " + value.type_name() + ", expected an array of three numbers");
+  }
+  std::array<double, 3> point{};
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    point[i] = number_in(value[i], key, {-kMaxCoordinate_m, kMaxCoordinate_m}, name);
+  }
+  return point;
+}
+
+/// Rid of the last digits that the way through radians left.
+double to_deg(double angle_rad) {
+  return std::round(angle_rad / kRadiansPerDegree * 1e9) / 1e9;
+}
+
 }  // namespace
 
 SensorSheet read_sensor_sheet(const std::filesystem::path& path) {
@@ -79,6 +106,18 @@ SensorSheet parse_sensor_sheet(std::string_view text, const std::string& name) {
       sheet.height_m = number_in(value, key, {0.0, 100.0}, name);
     } else if (key == "sensor_pitch_deg") {
       sheet.pitch_rad = number_in(value, key, {-90.0, 90.0}, name) * kRadiansPerDegree;
+    } else if (key == "sensor_roll_deg") {
+      sheet.roll_rad = number_in(value, key, {-180.0, 180.0}, name) * kRadiansPerDegree;
+    } else if (key == "sensor_yaw_deg") {
+      sheet.yaw_rad = number_in(value, key, {-180.0, 180.0}, name) * kRadiansPerDegree;
+    } else if (key == "scenario") {
+      sheet.scenario = text_of(value, key, name);
+    } else if (key == "seed") {
+      sheet.seed = seed_of(value, name);
+    } else if (key == "program") {
+      sheet.program = text_of(value, key, name);
+    } else if (key == "world_origin_m") {
+      sheet.world_origin_m = point_of(value, key, name);
     } else if (key == "scan_hz") {
       sheet.scan_hz = number_in(value, key, {0.01, 1000.0}, name);
     } else {
@@ -86,6 +125,31 @@ SensorSheet parse_sensor_sheet(std::string_view text, const std::string& name) {
     }
   }
   return sheet;
+}
+
+void write_sensor_sheet(const std::filesystem::path& path, const SensorSheet& sheet) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  const auto put = [&json](const char* key, const auto& value) {
+    if (value) {
+      json[key] = *value;
+    }
+  };
+  const auto put_angle = [&json](const char* key, const std::optional<double>& angle_rad) {
+    if (angle_rad) {
+      json[key] = to_deg(*angle_rad);
+    }
+  };
+  put("sensor", sheet.sensor);
+  put("sensor_height_m", sheet.height_m);
+  put_angle("sensor_pitch_deg", sheet.pitch_rad);
+  put_angle("sensor_roll_deg", sheet.roll_rad);
+  put_angle("sensor_yaw_deg", sheet.yaw_rad);
+  put("scan_hz", sheet.scan_hz);
+  put("scenario", sheet.scenario);
+  put("seed", sheet.seed);
+  put("program", sheet.program);
+  put("world_origin_m", sheet.world_origin_m);
+  write_file_atomically(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace berm

@@ -155,6 +155,12 @@ void append_fixed(std::string& text, double value, int decimals) {
   append_formatted(text, value, std::chars_format::fixed, decimals);
 }
 
+void append_shortest(std::string& text, double value) {
+  std::array<char, kNumberBuffer> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  text.append(buffer.data(), result.ptr);
+}
+
 void append_scientific(std::string& text, double value, int decimals) {
   append_formatted(text, value, std::chars_format::scientific, decimals);
 }

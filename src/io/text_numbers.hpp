@@ -21,6 +21,9 @@ void append_seconds(std::string& text, Stamp stamp_ns);
 /// Appends `value` with `decimals` digits behind the point, never as "-0.000".
 void append_fixed(std::string& text, double value, int decimals);
 
+/// Appends `value` with as few digits as bring it back.
+void append_shortest(std::string& text, double value);
+
 /// Appends `value` as "-1.234e+00" with `decimals` digits behind the point, never as "-0.000e+00".
 void append_scientific(std::string& text, double value, int decimals);
 

@@ -50,6 +50,8 @@ std::vector<std::string> adopt_sheet(Machine& machine, const SensorSheet& sheet,
   Adoption adoption(pinned);
   adoption.take("mount.height_m", machine.mount.height_m, sheet.height_m);
   adoption.take("mount.pitch_deg", machine.mount.pitch_deg, to_deg(sheet.pitch_rad));
+  adoption.take("mount.roll_deg", machine.mount.roll_deg, to_deg(sheet.roll_rad));
+  adoption.take("mount.yaw_deg", machine.mount.yaw_deg, to_deg(sheet.yaw_rad));
   adoption.take("sensor.scan_hz", machine.sensor.scan_hz, sheet.scan_hz);
   try {
     machine.check();

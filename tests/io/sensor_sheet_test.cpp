@@ -1,5 +1,6 @@
 #include "berm/io/sensor_sheet.hpp"
 
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -19,13 +20,44 @@ void expect_refused(const std::string& text, const std::string& part) {
 
 TEST(SensorSheet, ReadsWhatItKnowsAndListsTheRest) {
   const SensorSheet sheet = parse_sensor_sheet(
-      R"({"scan_hz": 10, "sensor": "Mid-70", "sensor_height_m": 2.3, "sensor_pitch_deg": 11, "weather": {"snow": 0.1}, "seed": 7})",
+      R"({"scan_hz": 10, "sensor": "Mid-70", "sensor_height_m": 2.3, "sensor_pitch_deg": 11, "weather": {"snow": 0.1}, "wind": 7})",
       "sequence.json");
   EXPECT_EQ(sheet.sensor, "Mid-70");
   EXPECT_EQ(sheet.height_m, 2.3);
   EXPECT_NEAR(sheet.pitch_rad.value(), 0.191986, 1e-6);
   EXPECT_EQ(sheet.scan_hz, 10.0);
-  EXPECT_EQ(sheet.unknown_keys, (std::vector<std::string>{"seed", "weather"}));
+  EXPECT_EQ(sheet.unknown_keys, (std::vector<std::string>{"weather", "wind"}));
+}
+
+TEST(SensorSheet, SurvivesARoundTrip) {
+  const test::TempFolder folder;
+  SensorSheet sheet;
+  sheet.sensor = "Livox \"Mid-70\"";
+  sheet.height_m = 2.3;
+  sheet.pitch_rad = 11.0 * std::numbers::pi / 180.0;
+  sheet.roll_rad = -0.25;
+  sheet.yaw_rad = 3.0;
+  sheet.scan_hz = 10.0;
+  sheet.scenario = "groomer";
+  sheet.seed = 18446744073709551615ULL;
+  sheet.program = "berm 0.1.0";
+  sheet.world_origin_m = {176973.4379983592, 376237.8, 1278.125};
+  write_sensor_sheet(folder / "sequence.json", sheet);
+  EXPECT_NE(test::slurp(folder / "sequence.json").find("\"sensor_pitch_deg\": 11.0,"), std::string::npos);
+  const SensorSheet again = read_sensor_sheet(folder / "sequence.json");
+  EXPECT_EQ(again.sensor, sheet.sensor);
+  EXPECT_EQ(again.height_m, sheet.height_m);
+  EXPECT_NEAR(again.pitch_rad.value(), *sheet.pitch_rad, 1e-10);
+  EXPECT_NEAR(again.roll_rad.value(), *sheet.roll_rad, 1e-10);
+  EXPECT_NEAR(again.yaw_rad.value(), *sheet.yaw_rad, 1e-10);
+  EXPECT_EQ(again.scan_hz, sheet.scan_hz);
+  EXPECT_EQ(again.scenario, sheet.scenario);
+  EXPECT_EQ(again.seed, sheet.seed);
+  EXPECT_EQ(again.program, sheet.program);
+  EXPECT_EQ(again.world_origin_m, sheet.world_origin_m);
+  EXPECT_TRUE(again.unknown_keys.empty());
+  write_sensor_sheet(folder / "empty.json", {});
+  EXPECT_FALSE(read_sensor_sheet(folder / "empty.json").seed);
 }
 
 TEST(SensorSheet, NeedsNothing) {
@@ -41,6 +73,10 @@ TEST(SensorSheet, RefusesOtherTypesAndRanges) {
   expect_refused(R"({"scan_hz": 1e300})", "expected a number from");
   expect_refused(R"({"sensor_height_m": -1})", "'sensor_height_m' is -1");
   expect_refused(R"({"sensor_pitch_deg": [11]})", "'sensor_pitch_deg' is a array");
+  expect_refused(R"({"seed": -1})", "'seed' is -1, expected a whole number");
+  expect_refused(R"({"seed": 1.5})", "'seed' is 1.5");
+  expect_refused(R"({"world_origin_m": [1, 2]})", "'world_origin_m' is a array, expected an array of three numbers");
+  expect_refused(R"({"world_origin_m": [1, 2, "3"]})", "'world_origin_m' is a string");
   expect_refused(R"({"sensor": 70})", "'sensor' is a number, expected a text");
 }
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "berm/core/error.hpp"
+#include "berm/io/edges_file.hpp"
+#include "berm/io/height_raster.hpp"
 #include "berm/io/sensor_sheet.hpp"
 #include "berm/io/times_file.hpp"
 #include "berm/io/trajectory_file.hpp"
@@ -45,6 +47,13 @@ std::vector<TextFormat> text_formats() {
          std::istringstream input(text);
          (void)read_kitti_calibration(input, "calib.txt");
        }},
+      {"edges.csv", "side,x,y,z\nleft,0.5,1,-2\nleft,1,1,2\n\nright,0,-1,2\nright,1,-1,2\n",
+       [](const std::string& text) {
+         std::istringstream input(text);
+         (void)read_edges(input, "edges.csv");
+       }},
+      {"model.asc", "ncols 2\nnrows 2\nxllcorner 1.5\nyllcorner -3\ncellsize 5\nNODATA_value -9\n1 2.5\n-9 4\n",
+       [](const std::string& text) { (void)parse_ascii_grid(text, "model.asc"); }},
       {"sequence.json", R"({"scan_hz": 10, "sensor": "Mid-70", "sensor_height_m": 2.3, "x": [1, {"y": null}]})",
        [](const std::string& text) { (void)parse_sensor_sheet(text, "sequence.json"); }},
   };
