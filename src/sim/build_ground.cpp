@@ -18,7 +18,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 /// What branches off is this much narrower.
 constexpr double kForkWidthShare = 0.7;
 constexpr double kForkLengthM = 170.0;
-/// After a fork has left its run, its gradient turns to one of its own over this distance.
+/// After a fork has left its run, its gradient turns to one of its own, this much off at most, over this distance.
+constexpr double kForkGradientDeg = 8.0;
 constexpr double kForkEaseM = 60.0;
 
 Run make_run(const WorldPlan& plan, std::vector<RoutePoint> course, double share, const RunSeed& seed) {
@@ -60,8 +61,10 @@ Run make_fork(const WorldPlan& plan, const Run& main_run, std::uint64_t index, s
   const double turn = (haul_road ? random.uniform(60.0, 85.0) : random.uniform(30.0, 50.0)) * kDegree;
   std::vector<RoutePoint> course =
       lay_fork(main_run.route.at(s), side, turn, plan.route.min_radius_m * 1.05, kForkLengthM);
-  const double gradient = std::tan(random.uniform(std::max(plan.route.min_gradient_deg, -12.0),
-                                                  std::max(-12.0, std::min(plan.route.max_gradient_deg, 12.0))) *
+  // Not much steeper than what it leaves: between the two there is to be a slope, not a cliff.
+  const double left_deg = std::atan(main_run.route.gradient(s)) / kDegree;
+  const double gradient = std::tan(std::clamp(left_deg + random.uniform(-kForkGradientDeg, kForkGradientDeg),
+                                              plan.route.min_gradient_deg, plan.route.max_gradient_deg) *
                                    kDegree);
   lay_fork_heights(main_run, course, gradient);
   return make_run(plan, std::move(course), kForkWidthShare, {seed, index + 1});

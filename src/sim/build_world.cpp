@@ -5,6 +5,7 @@
 
 #include "build_ground.hpp"
 #include "edge_lines.hpp"
+#include "things.hpp"
 
 namespace berm::sim {
 namespace {
@@ -20,6 +21,20 @@ Route driven_part(const Run& run, double length_m) {
   return Route(std::move(points));
 }
 
+TriangleMesh make_things(const Site& site) {
+  TriangleMesh mesh;
+  add_forest(site, mesh);
+  add_fences(site, mesh);
+  add_poles(site, mesh);
+  add_billboards(site, mesh);
+  add_lamps(site, mesh);
+  add_lift(site, mesh);
+  add_buildings(site, mesh);
+  add_rocks(site, mesh);
+  add_parked(site, mesh);
+  return mesh;
+}
+
 }  // namespace
 
 World build_world(const WorldPlan& plan, const std::optional<ElevationModel>& elevation, std::uint64_t seed) {
@@ -31,6 +46,10 @@ World build_world(const WorldPlan& plan, const std::optional<ElevationModel>& el
   world.origin_m = ground.origin_m;
   world.route = driven_part(ground.terrain->runs()[0], plan.route.length_m);
   world.edges = find_edges(*ground.terrain);
+  const Site site{plan, *ground.terrain, seed};
+  world.things = make_things(site);
+  world.movers = make_movers(site);
+  world.plumes = make_plumes(site, world.movers);
   return world;
 }
 

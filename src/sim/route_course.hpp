@@ -11,7 +11,7 @@ namespace berm::sim {
 /// Distance between the points of a route.
 constexpr double kRouteStepM = 0.5;
 /// How far a piste or road goes on before the start and behind the end of the route.
-constexpr double kLeadM = 80.0;
+constexpr double kLeadM = 120.0;
 /// How far the heading may leave the main direction: a route never comes near to itself.
 constexpr double kMaxTurnRad = 1.25;
 
