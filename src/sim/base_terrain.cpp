@@ -56,6 +56,12 @@ double SmoothRaster::at(double x_m, double y_m) const {
   return sum;
 }
 
+void SmoothRaster::raise(double by_m) {
+  for (float& value : values_) {
+    value = static_cast<float>(static_cast<double>(value) + by_m);
+  }
+}
+
 double ground_between(const std::vector<GroundKnot>& knots, double x_m, double y_m) {
   double sum = 0.0;
   double weights = 0.0;

@@ -17,6 +17,8 @@ class SmoothRaster {
   SmoothRaster(const Area& area, double cell_m, const std::function<double(double, double)>& value);
 
   [[nodiscard]] double at(double x_m, double y_m) const;
+  /// Adds `by_m` to all values.
+  void raise(double by_m);
   [[nodiscard]] bool empty() const { return values_.empty(); }
 
  private:

@@ -7,8 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "berm/core/error.hpp"
+#include "model_ground.hpp"
 #include "natural_ground.hpp"
 #include "route_course.hpp"
+#include "route_on_model.hpp"
 #include "run_plans.hpp"
 
 namespace berm::sim {
@@ -33,8 +36,15 @@ Run make_run(const WorldPlan& plan, std::vector<RoutePoint> course, double share
   return make_paved(plan.paved, std::move(course), park ? plan.paved.park_width_m : plan.paved.road_width_m);
 }
 
-/// Heights of a fork: those of its run while it lies on it, then on with its gradient, which changes to `gradient`.
-void lay_fork_heights(const Run& run, std::vector<RoutePoint>& course, double gradient) {
+double along_slope(const ModelGround& model, const RoutePoint& p) {
+  constexpr double kBaseM = 15.0;
+  return model.slope(p.x_m, p.y_m, kBaseM).dot(Eigen::Vector2d(std::cos(p.heading_rad), std::sin(p.heading_rad)));
+}
+
+/// Heights of a fork: those of its run while it lies on it, then on with its gradient, which changes to `gradient`, or
+/// on a model to its ground.
+void lay_fork_heights(const Run& run, std::vector<RoutePoint>& course, double gradient,
+                      const std::optional<ModelGround>& model) {
   double slope = 0.0;
   double left_at_s = -1.0;
   for (std::size_t i = 0; i < course.size(); ++i) {
@@ -46,11 +56,16 @@ void lay_fork_heights(const Run& run, std::vector<RoutePoint>& course, double gr
     }
     left_at_s = left_at_s < 0.0 ? course[i].s_m : left_at_s;
     const double eased = smooth_step(0.0, kForkEaseM, course[i].s_m - left_at_s);
+    if (model) {
+      const double natural = model->heights().at(course[i].x_m, course[i].y_m);
+      gradient = std::clamp((natural - course[i - 1].z_m) / kForkEaseM + along_slope(*model, course[i]), -1.0, 1.0);
+    }
     course[i].z_m = course[i - 1].z_m + kRouteStepM * (slope + eased * (gradient - slope));
   }
 }
 
-Run make_fork(const WorldPlan& plan, const Run& main_run, std::uint64_t index, std::uint64_t seed) {
+Run make_fork(const WorldPlan& plan, const Run& main_run, std::uint64_t index, std::uint64_t seed,
+              const std::optional<ModelGround>& model) {
   Random random(seed, Purpose::route, 10, index);
   const double share =
       (static_cast<double>(index) + random.uniform(0.25, 0.75)) / std::max(1.0, static_cast<double>(plan.piste.forks));
@@ -66,7 +81,7 @@ Run make_fork(const WorldPlan& plan, const Run& main_run, std::uint64_t index, s
   const double gradient = std::tan(std::clamp(left_deg + random.uniform(-kForkGradientDeg, kForkGradientDeg),
                                               plan.route.min_gradient_deg, plan.route.max_gradient_deg) *
                                    kDegree);
-  lay_fork_heights(main_run, course, gradient);
+  lay_fork_heights(main_run, course, gradient, model);
   return make_run(plan, std::move(course), kForkWidthShare, {seed, index + 1});
 }
 
@@ -110,30 +125,74 @@ PitShape make_pit(const HaulRoadConfig& config, const Run& road, const Area& are
   return pit;
 }
 
-}  // namespace
+/// Where the route begins, in the coordinates of the model.
+Eigen::Vector3d start_on(const WorldConfig& config, const HeightRaster& model) {
+  const Eigen::Vector3d start(model.origin_x_m + config.elevation_x * static_cast<double>(model.columns) * model.cell_m,
+                              model.origin_y_m + config.elevation_y * static_cast<double>(model.rows) * model.cell_m,
+                              0.0);
+  const bool sized = model.columns > 0 && model.rows > 0 && model.heights_m.size() == model.columns * model.rows;
+  if (!sized || !start.allFinite() || !(model.cell_m > 0.0)) {
+    throw Error(ErrorCode::invalid_argument,
+                "elevation model: expected finite coordinates and a height for each of its cells");
+  }
+  return start;
+}
 
-BuiltGround build_ground(const WorldPlan& plan, const std::optional<ElevationModel>& /*elevation*/,
-                         std::uint64_t seed) {
-  std::vector<Run> runs;
-  runs.push_back(make_run(plan, lay_course(plan.route, seed), 1.0, {seed, 0}));
-  for (std::uint64_t i = 0; i < forks_of(plan); ++i) {
-    runs.push_back(make_fork(plan, runs[0], i, seed));
+double height_at_start(const std::vector<RoutePoint>& course) {
+  const auto start =
+      std::lower_bound(course.begin(), course.end(), 0.0, [](const RoutePoint& p, double s_m) { return p.s_m < s_m; });
+  return start->z_m;
+}
+
+std::shared_ptr<const BuiltTerrain> make_terrain(const WorldPlan& plan, std::vector<Run> runs,
+                                                 const std::optional<ModelGround>& model, const Area& area,
+                                                 std::uint64_t seed) {
+  const bool haul_road = plan.world.kind == "haul_road";
+  GroundStyle style = style_of(plan);
+  if (model) {
+    // The model has its own relief, and its own walls and drops.
+    style.land_sigma_m = 0.0;
   }
-  BuiltGround ground;
-  ground.area = area_around(runs, plan.world.margin_m);
-  SmoothRaster natural = make_natural_ground(plan.world, runs, seed);
+  SmoothRaster natural = model ? model->heights() : make_natural_ground(plan.world, runs, seed);
+  RoadDetails details = haul_road ? RoadDetails(plan.haul_road, runs[0], seed) : RoadDetails();
   std::optional<PitShape> pit;
-  RoadDetails details;
-  if (plan.world.kind == "haul_road") {
-    pit = make_pit(plan.haul_road, runs[0], ground.area, seed);
-    details = RoadDetails(plan.haul_road, runs[0], seed);
+  if (haul_road && !model) {
+    pit = make_pit(plan.haul_road, runs[0], area, seed);
   }
-  auto terrain = std::make_shared<BuiltTerrain>(std::move(runs), std::move(natural), style_of(plan), seed);
+  auto terrain = std::make_shared<BuiltTerrain>(std::move(runs), std::move(natural), style, seed);
   if (pit) {
     terrain->add_pit(std::move(*pit));
   }
   terrain->add_details(std::move(details));
-  ground.terrain = std::move(terrain);
+  return terrain;
+}
+
+}  // namespace
+
+BuiltGround build_ground(const WorldPlan& plan, const std::optional<HeightRaster>& elevation, std::uint64_t seed) {
+  BuiltGround ground;
+  std::optional<ModelGround> model;
+  std::vector<RoutePoint> course;
+  if (elevation) {
+    ground.origin_m = start_on(plan.world, *elevation);
+    model.emplace(*elevation, ground.origin_m.x(), ground.origin_m.y(),
+                  plan.route.length_m + kLeadM + plan.world.margin_m);
+    course = lay_course_on_model(plan.route, *model, greatest_reach_m(plan), seed);
+    ground.origin_m.z() = height_at_start(course);
+    for (RoutePoint& p : course) {
+      p.z_m -= ground.origin_m.z();
+    }
+    model->raise(-ground.origin_m.z());
+  } else {
+    course = lay_course(plan.route, seed);
+  }
+  std::vector<Run> runs;
+  runs.push_back(make_run(plan, std::move(course), 1.0, {seed, 0}));
+  for (std::uint64_t i = 0; i < forks_of(plan); ++i) {
+    runs.push_back(make_fork(plan, runs[0], i, seed, model));
+  }
+  ground.area = area_around(runs, plan.world.margin_m);
+  ground.terrain = make_terrain(plan, std::move(runs), model, ground.area, seed);
   return ground;
 }
 

@@ -15,7 +15,7 @@ struct BuiltGround {
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
 };
 
-[[nodiscard]] BuiltGround build_ground(const WorldPlan& plan, const std::optional<ElevationModel>& elevation,
+[[nodiscard]] BuiltGround build_ground(const WorldPlan& plan, const std::optional<HeightRaster>& elevation,
                                        std::uint64_t seed);
 
 }  // namespace berm::sim

@@ -37,7 +37,7 @@ TriangleMesh make_things(const Site& site) {
 
 }  // namespace
 
-World build_world(const WorldPlan& plan, const std::optional<ElevationModel>& elevation, std::uint64_t seed) {
+World build_world(const WorldPlan& plan, const std::optional<HeightRaster>& elevation, std::uint64_t seed) {
   plan.check();
   const BuiltGround ground = build_ground(plan, elevation, seed);
   World world;
