@@ -112,13 +112,6 @@ void clear_hits(RTCRayHit8& rays) {
   std::fill_n(rays.hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
 }
 
-void set_normal(RayPacket& packet, std::size_t lane, const Eigen::Vector3f& normal) {
-  const Eigen::Vector3f unit = normal.normalized();
-  packet.nx[lane] = unit.x();
-  packet.ny[lane] = unit.y();
-  packet.nz[lane] = unit.z();
-}
-
 }  // namespace
 
 struct RayCaster::Scene {
@@ -199,14 +192,13 @@ void RayCaster::Scene::cast_standing(RayPacket& packet) const {
   }
   intersect8(standing.get(), valid.data(), rays);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const bool hit = rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
-    const bool terrain_hit = rays.hit.geomID[lane] == kTerrainGeometry;
-    packet.object[lane] = hit ? (terrain_hit ? kTerrainObject : kThingsObject) : RayPacket::kNothing;
-    packet.triangle[lane] = rays.hit.primID[lane];
-    packet.range_m[lane] = hit ? rays.ray.tfar[lane] : std::numeric_limits<float>::infinity();
-    if (hit) {
-      set_normal(packet, lane, {rays.hit.Ng_x[lane], rays.hit.Ng_y[lane], rays.hit.Ng_z[lane]});
+    if (rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
+      packet.hits[lane] = {};
+      continue;
     }
+    const Eigen::Vector3f normal{rays.hit.Ng_x[lane], rays.hit.Ng_y[lane], rays.hit.Ng_z[lane]};
+    packet.hits[lane] = {rays.hit.geomID[lane] == kTerrainGeometry ? kTerrainObject : kThingsObject,
+                         rays.hit.primID[lane], rays.ray.tfar[lane], normal.normalized()};
   }
 }
 
@@ -221,9 +213,8 @@ bool RayCaster::Scene::may_meet(const RayPacket& packet, const MoverScene& mover
   const double radius_m = mover.radius_m + moved_m + turned_m;
   const Eigen::Vector3f center_m = (placed.rotation * mover.center_m + placed.origin_m).cast<float>();
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const Eigen::Vector3f to_center = center_m - Eigen::Vector3f{packet.x_m[lane], packet.y_m[lane], packet.z_m[lane]};
-    const Eigen::Vector3f direction{packet.dx[lane], packet.dy[lane], packet.dz[lane]};
-    const float along_m = to_center.dot(direction);
+    const Eigen::Vector3f to_center = center_m - packet.origin_m(lane);
+    const float along_m = to_center.dot(packet.direction(lane));
     const float beside_m2 = to_center.squaredNorm() - along_m * along_m;
     const auto radius = static_cast<float>(radius_m);
     if (packet.max_range_m[lane] >= 0.0F && beside_m2 <= radius * radius && along_m >= -radius &&
@@ -247,20 +238,18 @@ void RayCaster::Scene::cast_mover(RayPacket& packet, std::size_t number) const {
     valid[lane] = packet.max_range_m[lane] >= 0.0F ? -1 : 0;
     mover.track.at(packet.time_s[lane], placed[lane]);
     const Eigen::Matrix3d back = placed[lane].rotation.transpose();
-    const Eigen::Vector3d origin_m{packet.x_m[lane], packet.y_m[lane], packet.z_m[lane]};
-    const Eigen::Vector3d direction{packet.dx[lane], packet.dy[lane], packet.dz[lane]};
+    const Eigen::Vector3d origin_m = packet.origin_m(lane).cast<double>();
+    const Eigen::Vector3d direction = packet.direction(lane).cast<double>();
     set_lane(rays, lane, (back * (origin_m - placed[lane].origin_m)).cast<float>(), (back * direction).cast<float>());
     rays.ray.tnear[lane] = packet.min_range_m[lane];
-    rays.ray.tfar[lane] = std::min(packet.max_range_m[lane], packet.range_m[lane]);
+    rays.ray.tfar[lane] = std::min(packet.max_range_m[lane], packet.hits[lane].range_m);
   }
   intersect8(mover.scene.get(), valid.data(), rays);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
-      packet.object[lane] = kFirstMover + static_cast<std::uint32_t>(number);
-      packet.triangle[lane] = rays.hit.primID[lane];
-      packet.range_m[lane] = rays.ray.tfar[lane];
       const Eigen::Vector3f normal{rays.hit.Ng_x[lane], rays.hit.Ng_y[lane], rays.hit.Ng_z[lane]};
-      set_normal(packet, lane, placed[lane].rotation.cast<float>() * normal);
+      packet.hits[lane] = {kFirstMover + static_cast<std::uint32_t>(number), rays.hit.primID[lane], rays.ray.tfar[lane],
+                           (placed[lane].rotation.cast<float>() * normal).normalized()};
     }
   }
 }
@@ -278,32 +267,27 @@ void RayCaster::cast(RayPacket& packet) const {
   }
 }
 
-Material RayCaster::material_of(const RayPacket& packet, std::size_t lane) const {
-  const std::uint32_t object = packet.object[lane];
-  if (object == kTerrainObject) {
-    return {};
-  }
-  return (object == kThingsObject ? scene_->materials
-                                  : scene_->movers[object - kFirstMover].materials)[packet.triangle[lane]];
+Material RayCaster::material_of(const RawHit& hit) const {
+  return (hit.object == kThingsObject ? scene_->materials
+                                      : scene_->movers[hit.object - kFirstMover].materials)[hit.triangle];
 }
 
-Hit RayCaster::describe(const RayPacket& packet, std::size_t lane) const {
+Hit RayCaster::describe(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction, const RawHit& raw) const {
   Hit hit;
-  hit.range_m = packet.range_m[lane];
-  const Eigen::Vector3f direction{packet.dx[lane], packet.dy[lane], packet.dz[lane]};
-  const Eigen::Vector3f normal{packet.nx[lane], packet.ny[lane], packet.nz[lane]};
-  hit.normal = normal.dot(direction) > 0.0F ? Eigen::Vector3f(-normal) : normal;
-  hit.object = packet.object[lane];
-  if (hit.object == kTerrainObject) {
-    const TerrainDetail detail = scene_->terrain.detail(
-        static_cast<double>(packet.x_m[lane]) + hit.range_m * static_cast<double>(direction.x()),
-        static_cast<double>(packet.y_m[lane]) + hit.range_m * static_cast<double>(direction.y()));
-    hit.inside_m = detail.inside_m;
-    hit.across_m = detail.across_m;
-    hit.material = {detail.surface, detail.inside_m > 0.0F ? truth::kDrivable : truth::kTerrain};
-  } else {
-    hit.material = material_of(packet, lane);
+  hit.range_m = raw.range_m;
+  hit.normal = raw.normal.dot(direction) > 0.0F ? Eigen::Vector3f(-raw.normal) : raw.normal;
+  hit.object = raw.object;
+  if (raw.object != kTerrainObject) {
+    hit.material = material_of(raw);
+    return hit;
   }
+  const Eigen::Vector2f place_m = origin_m.head<2>() + raw.range_m * direction.head<2>();
+  const TerrainDetail detail =
+      scene_->terrain.detail(static_cast<double>(place_m.x()), static_cast<double>(place_m.y()));
+  hit.inside_m = static_cast<double>(detail.inside_m);
+  hit.across_m = static_cast<double>(detail.across_m);
+  hit.across_slope = detail.across_slope;
+  hit.material = {detail.surface, detail.inside_m > 0.0F ? truth::kDrivable : truth::kTerrain};
   return hit;
 }
 
@@ -321,10 +305,10 @@ bool RayCaster::cast(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& dir
   packet.max_range_m[0] = static_cast<float>(max_range_m);
   packet.time_s.fill(time_s);
   cast(packet);
-  if (packet.object[0] == RayPacket::kNothing) {
+  if (packet.hits[0].is_nothing()) {
     return false;
   }
-  hit = describe(packet, 0);
+  hit = describe(packet.origin_m(0), packet.direction(0), packet.hits[0]);
   return true;
 }
 

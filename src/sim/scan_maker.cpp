@@ -5,11 +5,46 @@
 
 #include <fmt/format.h>
 
+#include "beam_footprint.hpp"
 #include "beam_pose.hpp"
 #include "berm/core/error.hpp"
+#include "echo_maker.hpp"
 #include "scan_scratch.hpp"
 
 namespace berm::sim {
+namespace {
+
+/// How far below the sensor the ground is looked for.
+constexpr double kHighest_m = 1000.0;
+
+/// Whether most of six rays, one to each side, meet something standing or moving from behind. A house without a floor
+/// counts, a net or a board beside the sensor does not.
+bool is_inside(const RayCaster& caster, const Eigen::Vector3d& origin_m, double time_s) {
+  const Eigen::Vector3f origin = origin_m.cast<float>();
+  RayPacket packet{};
+  packet.x_m.fill(origin.x());
+  packet.y_m.fill(origin.y());
+  packet.z_m.fill(origin.z());
+  packet.time_s.fill(time_s);
+  packet.max_range_m.fill(-1.0F);
+  for (std::size_t side = 0; side < 6; ++side) {
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();
+    direction[static_cast<Eigen::Index>(side / 2)] = side % 2 == 0 ? 1.0F : -1.0F;
+    packet.dx[side] = direction.x();
+    packet.dy[side] = direction.y();
+    packet.dz[side] = direction.z();
+    packet.max_range_m[side] = static_cast<float>(kHighest_m);
+  }
+  caster.cast(packet);
+  int behind = 0;
+  for (std::size_t side = 0; side < 6; ++side) {
+    const RawHit& hit = packet.hits[side];
+    behind += !hit.is_nothing() && hit.object != 0 && hit.normal.dot(packet.direction(side)) > 0.0F ? 1 : 0;
+  }
+  return behind >= 4;
+}
+
+}  // namespace
 
 ScanScratch::ScanScratch() : memory_(std::make_unique<Memory>()) {}
 ScanScratch::~ScanScratch() = default;
@@ -28,13 +63,17 @@ ScanMaker::ScanMaker(const Sensor& sensor, const Pose& T_base_sensor, const RayC
   sensor_.check();
 }
 
-void ScanMaker::aim(std::size_t index, Stamp stamp_ns, ScanScratch::Memory& memory) const {
-  pattern_.beams_of_scan(index, memory.beams);
+struct ScanMaker::Place {
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3f up = Eigen::Vector3f::UnitZ();  ///< z axis of the sensor
+};
+
+ScanMaker::Place ScanMaker::aim(std::size_t index, Stamp stamp_ns, ScanScratch::Memory& memory) const {
   const Beams& beams = memory.beams;
-  WorldRays& rays = memory.rays;
-  rays.resize(beams.size());
+  Place place;
+  memory.rays.resize(beams.size());
   if (beams.size() == 0) {
-    return;
+    return place;
   }
   const std::vector<StampedPose>& poses = T_world_base_.poses();
   const Stamp last_ns = stamp_ns + from_seconds(static_cast<double>(beams.time_s.back()));
@@ -44,62 +83,98 @@ void ScanMaker::aim(std::size_t index, Stamp stamp_ns, ScanScratch::Memory& memo
   }
   auto next = std::upper_bound(poses.begin() + 1, poses.end() - 1, stamp_ns,
                                [](Stamp stamp, const StampedPose& pose) { return stamp < pose.stamp_ns; });
+  Placed placed;
   std::size_t beam = 0;
-  while (beam < beams.size()) {
+  for (; beam < beams.size(); ++next) {
     const StampedPose& from = *(next - 1);
     const ScrewMotion motion(from.T_world_base, next->T_world_base, T_base_sensor_);
     const double start_s = to_seconds(stamp_ns - from.stamp_ns);
     const double lasts_s = to_seconds(next->stamp_ns - from.stamp_ns);
     const bool last = next + 1 == poses.end();
-    Placed placed;
+    if (beam == 0) {
+      motion.at(start_s / lasts_s, placed);
+      place = {placed.origin_m, placed.rotation.col(2).cast<float>()};
+    }
     for (; beam < beams.size(); ++beam) {
       const double since_s = start_s + static_cast<double>(beams.time_s[beam]);
       if (since_s > lasts_s && !last) {
         break;
       }
       motion.at(since_s / lasts_s, placed);
-      const Eigen::Vector3d direction{beams.x[beam], beams.y[beam], beams.z[beam]};
-      const Eigen::Vector3f turned = (placed.rotation * direction).cast<float>();
-      rays.x_m[beam] = static_cast<float>(placed.origin_m.x());
-      rays.y_m[beam] = static_cast<float>(placed.origin_m.y());
-      rays.z_m[beam] = static_cast<float>(placed.origin_m.z());
-      rays.dx[beam] = turned.x();
-      rays.dy[beam] = turned.y();
-      rays.dz[beam] = turned.z();
-      rays.time_s[beam] = to_seconds(stamp_ns) + static_cast<double>(beams.time_s[beam]);
+      const Eigen::Vector3d direction = Eigen::Vector3f{beams.x[beam], beams.y[beam], beams.z[beam]}.cast<double>();
+      TracedRay& ray = memory.rays[beam];
+      ray = {};
+      ray.origin_m = placed.origin_m.cast<float>();
+      ray.direction = (placed.rotation * direction).cast<float>();
+      ray.time_s = to_seconds(stamp_ns) + static_cast<double>(beams.time_s[beam]);
+      ray.beam = static_cast<std::uint32_t>(beam);
     }
-    ++next;
   }
+  return place;
+}
+
+void ScanMaker::cast(const Place& place, ScanScratch::Memory& memory) const {
+  const auto max_range_m = static_cast<float>(sensor_.optics.max_range_m);
+  cast_all(caster_, memory.rays, max_range_m);
+  const int lasers = sensor_.pattern.kind == "swirl" ? sensor_.pattern.fan_lasers : 1;
+  find_torn(memory.beams, static_cast<std::size_t>(lasers), memory.rays, memory.torn);
+  memory.spread.resize(kFootprintRays *
+                       static_cast<std::size_t>(std::count(memory.torn.begin(), memory.torn.end(), 1)));
+  std::size_t first = 0;
+  for (std::size_t beam = 0; beam < memory.rays.size(); ++beam) {
+    if (memory.torn[beam] != 0) {
+      const std::span<TracedRay> rays(&memory.spread[first], kFootprintRays);
+      spread(memory.rays[beam], place.up, sensor_.optics, memory.randoms[beam], rays);
+      // The middle is done: its light is in the others.
+      memory.rays[beam].hit = {};
+      first += kFootprintRays;
+    }
+  }
+  cast_all(caster_, memory.spread, max_range_m);
+  settle(caster_, memory.rays, max_range_m, memory.randoms, memory.pending);
+  settle(caster_, memory.spread, max_range_m, memory.randoms, memory.pending);
 }
 
 void ScanMaker::make(std::size_t index, MadeScan& scan) const {
   ScanScratch::Memory& memory = *scan.scratch.memory_;
+  const OpticsConfig& optics = sensor_.optics;
   scan.stamp_ns = from_seconds(static_cast<double>(index) / sensor_.pattern.scan_hz);
-  aim(index, scan.stamp_ns, memory);
+  pattern_.beams_of_scan(index, memory.beams);
   const Beams& beams = memory.beams;
-  const WorldRays& rays = memory.rays;
+  memory.randoms.clear();
+  for (std::size_t beam = 0; beam < beams.size(); ++beam) {
+    memory.randoms.emplace_back(seed_, Purpose::beam, index, beam);
+  }
+  const Place place = aim(index, scan.stamp_ns, memory);
+  cast(place, memory);
+  Hit below;
+  const bool over_ground = caster_.cast(place.origin_m, -Eigen::Vector3d::UnitZ(), 0.0, kHighest_m, 0.0, below);
+  const double height_m = over_ground ? below.range_m : kHighest_m;
+
+  const EchoMaker maker(caster_, weather_, optics);
   scan.beams = beams.size();
   scan.points.clear();
   scan.labels.clear();
+  std::size_t first = 0;
   for (std::size_t beam = 0; beam < beams.size(); ++beam) {
-    Hit hit;
-    const bool met =
-        caster_.cast({rays.x_m[beam], rays.y_m[beam], rays.z_m[beam]}, {rays.dx[beam], rays.dy[beam], rays.dz[beam]},
-                     sensor_.optics.min_range_m, sensor_.optics.max_range_m, rays.time_s[beam], hit);
-    if (!met && !sensor_.optics.keeps_no_returns) {
+    std::span<const TracedRay> rays(&memory.rays[beam], 1);
+    if (memory.torn[beam] != 0) {
+      rays = {&memory.spread[first], kFootprintRays};
+      first += kFootprintRays;
+    }
+    const Return got = maker.echo_of(rays, height_m, memory.randoms[beam]);
+    if (got.range_m <= 0.0F && !optics.keeps_no_returns) {
       continue;
     }
-    const auto range_m = static_cast<float>(met ? hit.range_m : 0.0);
-    scan.points.x.push_back(range_m * beams.x[beam]);
-    scan.points.y.push_back(range_m * beams.y[beam]);
-    scan.points.z.push_back(range_m * beams.z[beam]);
-    scan.points.intensity.push_back(
-        met ? static_cast<float>(std::min(255.0, optics_of(hit.material.surface).reflectivity)) : 0.0F);
+    scan.points.x.push_back(got.range_m * beams.x[beam]);
+    scan.points.y.push_back(got.range_m * beams.y[beam]);
+    scan.points.z.push_back(got.range_m * beams.z[beam]);
+    scan.points.intensity.push_back(got.reflectivity);
     scan.points.time.push_back(beams.time_s[beam]);
     if (!beams.ring.empty()) {
       scan.points.ring.push_back(beams.ring[beam]);
     }
-    scan.labels.push_back(met ? hit.material.truth_id : truth::kNone);
+    scan.labels.push_back(got.label);
   }
 }
 
@@ -107,14 +182,19 @@ void ScanMaker::check_start(const Terrain& terrain) const {
   if (T_world_base_.empty()) {
     throw Error(ErrorCode::invalid_argument, "sensor: there is no trajectory");
   }
-  const Pose T_world_sensor = T_world_base_.poses().front().T_world_base * T_base_sensor_;
-  const Eigen::Vector3d origin_m = T_world_sensor.translation_m();
-  const double above_m = origin_m.z() - terrain.at(origin_m.x(), origin_m.y()).height_m;
-  if (above_m <= 0.0) {
+  const StampedPose& start = T_world_base_.poses().front();
+  const Eigen::Vector3d origin_m = (start.T_world_base * T_base_sensor_).translation_m();
+  const double below_m = terrain.at(origin_m.x(), origin_m.y()).height_m - origin_m.z();
+  if (below_m >= 0.0) {
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("sensor: starts {:.2f} m below the terrain; mount it higher, or start elsewhere "
-                            "(vehicle.start_m)",
-                            -above_m));
+                fmt::format("sensor: starts {:.2f} m below the terrain; mount it higher (mount.height_m), or start "
+                            "elsewhere (vehicle.start_m)",
+                            below_m));
+  }
+  if (is_inside(caster_, origin_m, to_seconds(start.stamp_ns))) {
+    throw Error(ErrorCode::invalid_argument,
+                "sensor: starts inside of something that stands there; start elsewhere (vehicle.start_m), or take "
+                "another seed");
   }
 }
 

@@ -119,7 +119,7 @@ void TerrainMesh::lay_tiles(const World& world, const RayCasterConfig& config) {
                             area.max_x_m - area.min_x_m, area.max_y_m - area.min_y_m, cell_m_, kMaxVertices));
   }
   positions_m.resize(3 * vertices);
-  details_.resize(vertices);
+  samples_.resize(vertices);
 }
 
 void TerrainMesh::sample_tile(const Terrain& terrain, std::size_t column, std::size_t row) {
@@ -139,7 +139,7 @@ void TerrainMesh::sample_tile(const Terrain& terrain, std::size_t column, std::s
       positions_m[3 * vertex] = static_cast<float>(x_m);
       positions_m[3 * vertex + 1] = static_cast<float>(y_m);
       positions_m[3 * vertex + 2] = static_cast<float>(ground.height_m);
-      details_[vertex] = {static_cast<float>(ground.inside_m), static_cast<float>(ground.across_m), ground.surface};
+      samples_[vertex] = {static_cast<float>(ground.inside_m), static_cast<float>(ground.across_m), ground.surface};
     }
   }
 }
@@ -200,7 +200,7 @@ void TerrainMesh::join_tiles() {
 }
 
 void TerrainMesh::make_quads() {
-  quads.reserve(quads.size() + details_.size());
+  quads.reserve(quads.size() + samples_.size());
   for (const Tile& tile : tiles_) {
     const std::uint32_t cells = cells_of(tile);
     for (std::uint32_t j = 0; j < cells; ++j) {
@@ -226,18 +226,25 @@ TerrainDetail TerrainMesh::detail(double x_m, double y_m) const {
   const std::size_t j = std::min(cells - 1, static_cast<std::size_t>(in_v));
   const auto share_u = static_cast<float>(in_u - static_cast<double>(i));
   const auto share_v = static_cast<float>(in_v - static_cast<double>(j));
-  const TerrainDetail* lower = &details_[tile.first_vertex + j * (cells + 1) + i];
-  const TerrainDetail* upper = lower + cells + 1;
+  const Sample* lower = &samples_[tile.first_vertex + j * (cells + 1) + i];
+  const Sample* upper = lower + cells + 1;
   const auto mix = [](float share, float from, float to) { return from + share * (to - from); };
-  return {mix(share_v, mix(share_u, lower[0].inside_m, lower[1].inside_m),
-              mix(share_u, upper[0].inside_m, upper[1].inside_m)),
-          mix(share_v, mix(share_u, lower[0].across_m, lower[1].across_m),
-              mix(share_u, upper[0].across_m, upper[1].across_m)),
-          (share_v < 0.5F ? lower : upper)[share_u < 0.5F ? 0 : 1].surface};
+  const auto cell_m = static_cast<float>(cell_m_ / scale);
+  TerrainDetail detail;
+  detail.inside_m = mix(share_v, mix(share_u, lower[0].inside_m, lower[1].inside_m),
+                        mix(share_u, upper[0].inside_m, upper[1].inside_m));
+  const float below_m = mix(share_u, lower[0].across_m, lower[1].across_m);
+  const float above_m = mix(share_u, upper[0].across_m, upper[1].across_m);
+  detail.across_m = mix(share_v, below_m, above_m);
+  detail.across_slope = {
+      mix(share_v, lower[1].across_m - lower[0].across_m, upper[1].across_m - upper[0].across_m) / cell_m,
+      (above_m - below_m) / cell_m};
+  detail.surface = (share_v < 0.5F ? lower : upper)[share_u < 0.5F ? 0 : 1].surface;
+  return detail;
 }
 
 std::size_t TerrainMesh::memory_bytes() const {
-  return tiles_.capacity() * sizeof(Tile) + details_.capacity() * sizeof(TerrainDetail) +
+  return tiles_.capacity() * sizeof(Tile) + samples_.capacity() * sizeof(Sample) +
          positions_m.capacity() * sizeof(float) + quads.capacity() * sizeof(quads[0]);
 }
 

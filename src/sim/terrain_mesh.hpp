@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "berm/sim/ray_caster.hpp"
 #include "berm/sim/world.hpp"
 
@@ -14,6 +16,7 @@ namespace berm::sim {
 struct TerrainDetail {
   float inside_m = 0.0F;
   float across_m = 0.0F;
+  Eigen::Vector2f across_slope = Eigen::Vector2f::Zero();  ///< change of across_m along x and y
   Surface surface = Surface::rough_snow;
 };
 
@@ -38,6 +41,12 @@ class TerrainMesh {
     std::uint32_t level = 0;
   };
 
+  struct Sample {
+    float inside_m = 0.0F;
+    float across_m = 0.0F;
+    Surface surface = Surface::rough_snow;
+  };
+
   [[nodiscard]] std::uint32_t cells_of(const Tile& tile) const { return kTileCells >> tile.level; }
   [[nodiscard]] std::uint32_t level_at(const Route& route, double x_m, double y_m, double fine_width_m) const;
   void lay_tiles(const World& world, const RayCasterConfig& config);
@@ -55,7 +64,7 @@ class TerrainMesh {
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
   std::vector<Tile> tiles_;
-  std::vector<TerrainDetail> details_;
+  std::vector<Sample> samples_;
 };
 
 }  // namespace berm::sim

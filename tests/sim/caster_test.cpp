@@ -146,13 +146,13 @@ TEST(RayCaster, MeetsFrontsAndBacksAsTheyAreWound) {
     packet.max_range_m[lane] = 100.0F;
   }
   caster.cast(packet);
-  EXPECT_EQ(packet.object[0], RayPacket::kNothing);
-  EXPECT_FLOAT_EQ(packet.range_m[2], 5.0F);
-  EXPECT_FLOAT_EQ(packet.nz[2], -1.0F);
-  EXPECT_FLOAT_EQ(packet.range_m[5], 1.0F);
-  EXPECT_FLOAT_EQ(packet.nz[5], 1.0F);
-  EXPECT_EQ(caster.material_of(packet, 5).truth_id, truth::kBuilding);
-  EXPECT_LT(caster.describe(packet, 5).normal.z(), 0.0F);
+  EXPECT_TRUE(packet.hits[0].is_nothing());
+  EXPECT_FLOAT_EQ(packet.hits[2].range_m, 5.0F);
+  EXPECT_FLOAT_EQ(packet.hits[2].normal.z(), -1.0F);
+  EXPECT_FLOAT_EQ(packet.hits[5].range_m, 1.0F);
+  EXPECT_FLOAT_EQ(packet.hits[5].normal.z(), 1.0F);
+  EXPECT_EQ(caster.material_of(packet.hits[5]).truth_id, truth::kBuilding);
+  EXPECT_LT(caster.describe(packet.origin_m(5), packet.direction(5), packet.hits[5]).normal.z(), 0.0F);
 }
 
 TEST(RayCaster, PosesMoversAtTheTimeOfTheRay) {
@@ -224,8 +224,8 @@ TEST(RayCaster, FindsTheMoverInAPacketOfDifferentTimes) {
   }
   caster.cast(packet);
   for (std::size_t lane = 0; lane < RayPacket::kSize; ++lane) {
-    EXPECT_EQ(packet.object[lane], 2U) << lane;
-    EXPECT_NEAR(packet.range_m[lane], 19.5, 0.25) << lane;
+    EXPECT_EQ(packet.hits[lane].object, 2U) << lane;
+    EXPECT_NEAR(packet.hits[lane].range_m, 19.5, 0.25) << lane;
   }
 }
 

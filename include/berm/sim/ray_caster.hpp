@@ -17,9 +17,23 @@ struct Hit {
   double range_m = 0.0;
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< unit, towards the origin of the ray
   Material material;
-  double inside_m = 0.0;     ///< terrain only, as GroundSample
-  double across_m = 0.0;     ///< terrain only, as GroundSample
-  std::uint32_t object = 0;  ///< 0 terrain, 1 standing things, 2.. movers
+  double inside_m = 0.0;                                   ///< terrain only, as GroundSample
+  double across_m = 0.0;                                   ///< terrain only, as GroundSample
+  std::uint32_t object = 0;                                ///< 0 terrain, 1 standing things, 2.. movers
+  Eigen::Vector2f across_slope = Eigen::Vector2f::Zero();  ///< terrain only: change of across_m along x and y
+};
+
+/// The same before anyone has asked what it is.
+struct RawHit {
+  static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t object = kNothing;  ///< as Hit::object, or kNothing
+  std::uint32_t triangle = 0;       ///< of the mesh of the object; without meaning for the terrain
+  float range_m = std::numeric_limits<float>::infinity();
+  /// Unit, out of the front of the triangle: along the ray if it was met from behind.
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+
+  [[nodiscard]] bool is_nothing() const { return object == kNothing; }
 };
 
 struct RayCasterConfig {
@@ -28,11 +42,10 @@ struct RayCasterConfig {
   int threads = 0;  ///< that sample the terrain; 0: as many as there are processors. Same mesh for any number
 };
 
-/// Rays that are cast together: twice as fast as one by one where they start and point nearly alike. Lanes whose
-/// `max_range_m` is negative are left out. What they meet stands below `object`.
+/// Rays that are cast together, which is quicker than one by one where they start and point nearly alike. Lanes whose
+/// `max_range_m` is negative are left out.
 struct alignas(64) RayPacket {
   static constexpr std::size_t kSize = 8;
-  static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
   template <typename Value>
   using Lanes = std::array<Value, kSize>;
 
@@ -45,13 +58,10 @@ struct alignas(64) RayPacket {
   Lanes<float> min_range_m;
   Lanes<float> max_range_m;
   Lanes<double> time_s;  ///< places the movers
+  Lanes<RawHit> hits;    ///< filled by casting
 
-  Lanes<std::uint32_t> object;    ///< as Hit::object, or kNothing
-  Lanes<std::uint32_t> triangle;  ///< of the mesh of the object; nothing for the terrain
-  Lanes<float> range_m;
-  Lanes<float> nx;  ///< unit normal of the front of what was met: along the ray if it was met from behind
-  Lanes<float> ny;
-  Lanes<float> nz;
+  [[nodiscard]] Eigen::Vector3f origin_m(std::size_t lane) const { return {x_m[lane], y_m[lane], z_m[lane]}; }
+  [[nodiscard]] Eigen::Vector3f direction(std::size_t lane) const { return {dx[lane], dy[lane], dz[lane]}; }
 };
 
 /// The world as triangles in an Embree scene. Thread-safe after construction.
@@ -69,10 +79,11 @@ class RayCaster {
                           double max_range_m, double time_s, Hit& hit) const;
   /// The same for the rays of a packet.
   void cast(RayPacket& packet) const;
-  /// What the ray in `lane` of a packet met; its `object` must not be kNothing.
-  [[nodiscard]] Hit describe(const RayPacket& packet, std::size_t lane) const;
-  /// Only what it is made of, which is cheaper. Terrain: nothing but drivable or not.
-  [[nodiscard]] Material material_of(const RayPacket& packet, std::size_t lane) const;
+  /// What a ray met; `hit` must not be nothing.
+  [[nodiscard]] Hit describe(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction,
+                             const RawHit& hit) const;
+  /// Only what it is made of, which is cheaper. Not for the terrain.
+  [[nodiscard]] Material material_of(const RawHit& hit) const;
 
   /// Of Embree and of what is kept beside it.
   [[nodiscard]] std::size_t memory_bytes() const;

@@ -55,7 +55,10 @@ class ScanMaker {
   void make(std::size_t index, MadeScan& scan) const;
 
  private:
-  void aim(std::size_t index, Stamp stamp_ns, ScanScratch::Memory& memory) const;
+  struct Place;
+  /// The rays of the middles of all beams; where the sensor is as the scan begins.
+  Place aim(std::size_t index, Stamp stamp_ns, ScanScratch::Memory& memory) const;
+  void cast(const Place& place, ScanScratch::Memory& memory) const;
 
   Sensor sensor_;
   BeamPattern pattern_;

@@ -1,0 +1,101 @@
+#include "beam_tracer.hpp"
+
+#include <algorithm>
+
+namespace berm::sim {
+namespace {
+
+/// More surfaces than these a ray does not cross: the last one stops it.
+constexpr std::uint16_t kMaxCasts = 40;
+/// Behind a surface the next cast begins this far on: several roundings of a float at 200 m.
+constexpr float kOn_m = 2e-3F;
+
+void set_lane(RayPacket& packet, std::size_t lane, const TracedRay& ray, float end_m) {
+  packet.x_m[lane] = ray.origin_m.x();
+  packet.y_m[lane] = ray.origin_m.y();
+  packet.z_m[lane] = ray.origin_m.z();
+  packet.dx[lane] = ray.direction.x();
+  packet.dy[lane] = ray.direction.y();
+  packet.dz[lane] = ray.direction.z();
+  packet.min_range_m[lane] = ray.from_m;
+  packet.max_range_m[lane] = end_m;
+  packet.time_s[lane] = ray.time_s;
+}
+
+/// Casts the rays that `ray_at` names, eight at a time.
+template <typename RayAt>
+void cast_packets(const RayCaster& caster, std::size_t count, float max_range_m, const RayAt& ray_at) {
+  RayPacket packet{};
+  for (std::size_t first = 0; first < count; first += RayPacket::kSize) {
+    const std::size_t lanes = std::min(RayPacket::kSize, count - first);
+    for (std::size_t lane = 0; lane < RayPacket::kSize; ++lane) {
+      // Lanes that are over repeat the last ray, so that they have a time and a direction.
+      const TracedRay& ray = ray_at(first + std::min(lane, lanes - 1));
+      set_lane(packet, lane, ray, lane < lanes ? std::min(max_range_m, ray.crown_end_m) : -1.0F);
+    }
+    caster.cast(packet);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      TracedRay& ray = ray_at(first + lane);
+      ray.hit = packet.hits[lane];
+      ++ray.casts;
+    }
+  }
+}
+
+void enter_or_leave_crown(TracedRay& ray, Random& random) {
+  if (ray.hit.normal.dot(ray.direction) < 0.0F) {
+    if (ray.crowns++ == 0) {
+      ray.crown = ray.hit;
+      ray.crown_end_m = ray.hit.range_m + static_cast<float>(kCrownDepth_m * random.exponential());
+    }
+  } else if (ray.crowns > 0 && --ray.crowns == 0) {
+    ray.crown_end_m = std::numeric_limits<float>::infinity();
+  }
+}
+
+/// Whether the ray ends with its last hit; else it goes on behind it.
+bool is_settled(const RayCaster& caster, TracedRay& ray, float max_range_m, Random& random) {
+  if (ray.hit.is_nothing()) {
+    if (ray.crown_end_m < max_range_m) {
+      ray.hit = ray.crown;
+      ray.hit.range_m = ray.crown_end_m;
+      // Needles and leaves look everywhere: as good as facing the beam.
+      ray.hit.normal = -ray.direction;
+    }
+    return true;
+  }
+  if (ray.hit.object == 0 || ray.casts >= kMaxCasts) {
+    return true;
+  }
+  const Surface surface = caster.material_of(ray.hit).surface;
+  if (surface == Surface::foliage) {
+    enter_or_leave_crown(ray, random);
+  } else if (surface != Surface::net || random.chance(kNetShare)) {
+    return true;
+  }
+  ray.from_m = ray.hit.range_m + kOn_m;
+  return false;
+}
+
+}  // namespace
+
+void cast_all(const RayCaster& caster, std::span<TracedRay> rays, float max_range_m) {
+  cast_packets(caster, rays.size(), max_range_m, [&](std::size_t i) -> TracedRay& { return rays[i]; });
+}
+
+void settle(const RayCaster& caster, std::span<TracedRay> rays, float max_range_m, std::span<Random> randoms,
+            std::vector<std::uint32_t>& pending) {
+  pending.clear();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!is_settled(caster, rays[i], max_range_m, randoms[rays[i].beam])) {
+      pending.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  while (!pending.empty()) {
+    cast_packets(caster, pending.size(), max_range_m, [&](std::size_t i) -> TracedRay& { return rays[pending[i]]; });
+    std::erase_if(pending,
+                  [&](std::uint32_t i) { return is_settled(caster, rays[i], max_range_m, randoms[rays[i].beam]); });
+  }
+}
+
+}  // namespace berm::sim

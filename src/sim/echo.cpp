@@ -1,0 +1,47 @@
+#include "echo.hpp"
+
+#include <algorithm>
+
+namespace berm::sim {
+
+std::size_t melt(std::span<Echo> echoes, float separation_m) {
+  if (echoes.size() < 2) {
+    return echoes.size();
+  }
+  // Stable: which label wins among equals must not depend on the sorting.
+  std::stable_sort(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) { return a.range_m < b.range_m; });
+  std::size_t last = 0;
+  float end_m = echoes[0].range_m;
+  for (std::size_t i = 1; i < echoes.size(); ++i) {
+    const Echo part = echoes[i];
+    const bool apart = part.range_m - end_m >= separation_m;
+    end_m = part.range_m;
+    if (apart) {
+      echoes[++last] = part;
+      continue;
+    }
+    Echo& whole = echoes[last];
+    const float energy = whole.energy + part.energy;
+    // Without any energy there is nothing to weight: the first stays.
+    const float share = energy > 0.0F ? part.energy / energy : 0.0F;
+    whole.range_m += share * (part.range_m - whole.range_m);
+    whole.variance_m2 += share * (part.variance_m2 - whole.variance_m2);
+    whole.energy = energy;
+    whole.light += part.light;
+    whole.spot_sigma += part.spot_sigma;
+    if (part.label_energy > whole.label_energy) {
+      whole.label = part.label;
+      whole.label_energy = part.label_energy;
+    }
+  }
+  return last + 1;
+}
+
+EchoChoice echo_choice(std::string_view name) {
+  if (name == "first") {
+    return EchoChoice::first;
+  }
+  return name == "last" ? EchoChoice::last : EchoChoice::strongest;
+}
+
+}  // namespace berm::sim
