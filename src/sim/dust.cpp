@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kMaxCrossed = 16;
 /// Beams that pass a plume farther from its middle than this many sigmas miss it.
 constexpr double kReach = 4.0;
+/// Thinner plumes are as thick as this.
+constexpr double kLeastSigma = 0.01;
 /// Reflectivity of a dense wall of mineral dust: pi over its lidar ratio of about 45 sr.
 constexpr double kDustReflectivity = 0.07;
 /// Depth of air whose echoes fall together: half the length of a pulse of 5 ns.
@@ -38,16 +40,19 @@ struct Crossing {
 
 class Crossings {
  public:
-  Crossings(const std::vector<Plume>& plumes, const AirBeam& beam) {
-    for (const Plume& plume : plumes) {
-      const Eigen::Vector3d from = (beam.origin_m - plume.center_m).cwiseQuotient(plume.sigma_m);
-      const Eigen::Vector3d along = beam.direction.cwiseQuotient(plume.sigma_m);
+  Crossings(const std::vector<Plume>& plumes, const std::vector<Eigen::Vector3d>& per_sigma, const AirBeam& beam) {
+    for (std::size_t i = 0; i < plumes.size(); ++i) {
+      const Plume& plume = plumes[i];
+      const Eigen::Vector3d from = (beam.origin_m - plume.center_m).cwiseProduct(per_sigma[i]);
+      const Eigen::Vector3d along = beam.direction.cwiseProduct(per_sigma[i]);
       const double square = along.squaredNorm();
       const double middle_m = -from.dot(along) / square;
       const double miss = from.squaredNorm() - middle_m * middle_m * square;
+      if (miss >= kReach * kReach || count_ == kMaxCrossed) {
+        continue;
+      }
       const double width_m = 1.0 / std::sqrt(square);
-      const bool in_reach = middle_m > -kReach * width_m && middle_m < beam.end_m + kReach * width_m;
-      if (miss < kReach * kReach && in_reach && count_ < kMaxCrossed) {
+      if (middle_m > -kReach * width_m && middle_m < beam.end_m + kReach * width_m) {
         crossings_[count_] = {plume.extinction_per_m * std::exp(-0.5 * miss), middle_m, width_m};
         ++count_;
       }
@@ -95,10 +100,14 @@ class Crossings {
 }  // namespace
 
 Dust::Dust(std::vector<Plume> plumes, const OpticsConfig& optics)
-    : plumes_(std::move(plumes)), optics_(optics), limit_(optics.detection_limit()) {}
+    : plumes_(std::move(plumes)), optics_(optics), limit_(optics.detection_limit()) {
+  for (const Plume& plume : plumes_) {
+    per_sigma_.push_back(plume.sigma_m.cwiseMax(kLeastSigma).cwiseInverse());
+  }
+}
 
 void Dust::pass(const AirBeam& beam, Random& random, AirPath& path) const {
-  const Crossings crossings(plumes_, beam);
+  const Crossings crossings(plumes_, per_sigma_, beam);
   if (crossings.is_empty()) {
     return;
   }

@@ -17,6 +17,7 @@ class Dust {
 
  private:
   std::vector<Plume> plumes_;
+  std::vector<Eigen::Vector3d> per_sigma_;  ///< one over the sigmas of each plume
   OpticsConfig optics_;
   double limit_;
 };

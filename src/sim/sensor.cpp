@@ -84,10 +84,13 @@ double OpticsConfig::detection_limit() const {
   return received_light(*this, 0.1, 1.0, range_at_10_percent_m);
 }
 
+// The exponent and the ranges were fitted to the flakes of a real recording (docs/simulator.md). Surfaces are to be
+// seen down to the least range, hence the loss ends somewhere.
 double received_light(const OpticsConfig& optics, double reflectivity, double share, double range_m) {
-  const double near = optics.near_field_m / std::max(range_m, 1e-3);
-  const double loss = 1.0 + near * near * near * near;
-  return reflectivity * share / (std::max(range_m * range_m, 1e-6) * loss);
+  constexpr double kMostLoss = 1e3;
+  const double square = std::max(range_m * range_m, 1e-6);
+  const double near = optics.near_field_m * optics.near_field_m / square;
+  return reflectivity * share / (square * (1.0 + std::min(near * near * near, kMostLoss)));
 }
 
 void Sensor::check() const {

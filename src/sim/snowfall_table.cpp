@@ -125,7 +125,7 @@ Flake SnowfallTable::draw(double range_m, Random& random) const {
   const double a = optics_.aperture_m + optics_.divergence_x_mrad * 1e-3 * range_m + diameter_m;
   const double b = optics_.aperture_m + optics_.divergence_y_mrad * 1e-3 * range_m + diameter_m;
   const double share = std::min(1.0, gain_[kind] * diameter_m * diameter_m / (a * b));
-  return {received_light(optics_, reflectivity_[kind], share, range_m), share};
+  return {reflectivity_[kind], share, received_light(optics_, reflectivity_[kind], share, range_m)};
 }
 
 }  // namespace berm::sim

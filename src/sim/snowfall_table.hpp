@@ -12,8 +12,9 @@ namespace berm::sim {
 
 /// A flake that the sensor finds.
 struct Flake {
-  double light;  ///< as `received_light`
-  double share;  ///< of the beam that it covers
+  double reflectivity;  ///< 0..1
+  double share;         ///< of the beam that it covers
+  double light;         ///< as `received_light`
 };
 
 /// Where along a beam a sensor finds flakes, for one flake per cubic metre.

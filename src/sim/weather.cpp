@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "dust.hpp"
@@ -10,6 +11,11 @@
 
 namespace berm::sim {
 namespace {
+
+/// Share of flakes that happen to mirror the beam, and the reflectivity that they are reported with on average: as in
+/// the recordings of WADS, where 97 % of the flakes have intensity 0 and the others up to 20 and more.
+constexpr double kMirroringFlakes = 0.03;
+constexpr double kMirroringReflectivity = 7.0;
 
 /// Where gusts are looked up along a beam: most flakes are found about there.
 constexpr double kGustRange = 5.0;
@@ -31,7 +37,7 @@ Weather::Weather(const SnowfallConfig& snowfall, const OpticsConfig& optics, std
   optics.check();
   // Mean area of a flake is pi/4 E[D^2] = pi/2 mean^2; the light passes it twice. What flakes diffract stays in the
   // beam.
-  const double extinction_m2 = 3.14159265 * snowfall.mean_diameter_m * snowfall.mean_diameter_m;
+  const double extinction_m2 = std::numbers::pi * snowfall.mean_diameter_m * snowfall.mean_diameter_m;
   air_ = std::make_shared<const Air>(Air{snowfall, optics, SnowfallTable(snowfall, optics), Gusts(snowfall, seed),
                                          Dust(std::move(plumes), optics), extinction_m2});
 }
@@ -76,6 +82,17 @@ class FlakeDensity {
   double most_;
 };
 
+/// exp(-depth), to 4e-6 and without calling it where little is lost, as in most beams.
+double share_left(double depth) {
+  return depth < 0.1 ? 1.0 - depth * (1.0 - depth / 2.0 * (1.0 - depth / 3.0)) : std::exp(-depth);
+}
+
+double reported_reflectivity(const Flake& flake, const OpticsConfig& optics, Random& random) {
+  const bool mirrors = random.chance(kMirroringFlakes);
+  const double glint = mirrors ? kMirroringReflectivity : optics.weak_echo_reflectivity;
+  return std::min(255.0, 100.0 * flake.reflectivity * flake.share + glint * random.exponential());
+}
+
 /// Range of the nearest flake that is found before the end of the beam, negative if none is: a Poisson process of the
 /// greatest density on the beam, of which as many are dropped as the density is lower where they lie.
 double nearest_flake_m(const SnowfallTable& table, const FlakeDensity& density, double end_m, Random& random) {
@@ -105,12 +122,12 @@ AirPath Weather::along(const AirBeam& beam, Random& random) const {
     const double gust = air_->gusts.at(beam.origin_m + beam.direction * std::min(beam.end_m, kGustRange), beam.time_s);
     const FlakeDensity density(snowfall, beam, gust);
     const double mean_density = (density.at(0.0) + density.at(beam.end_m)) / 2.0;
-    path.transmission = std::exp(-mean_density * air_->extinction_m2 * beam.end_m);
+    path.transmission = share_left(mean_density * air_->extinction_m2 * beam.end_m);
     const double range_m = nearest_flake_m(air_->table, density, beam.end_m, random);
     if (range_m >= 0.0) {
       const Flake flake = air_->table.draw(range_m, random);
       path.has_echo = true;
-      path.echo = {range_m, flake.light, std::min(255.0, 100.0 * flake.light * range_m * range_m), false};
+      path.echo = {range_m, flake.light, reported_reflectivity(flake, air_->optics, random), false};
       path.transmission *= (1.0 - flake.share) * (1.0 - flake.share);
     }
   }

@@ -17,7 +17,7 @@ namespace berm::sim {
 struct SnowfallConfig {
   double flakes_per_m3 = 0.0;
   double mean_diameter_m = 0.001;
-  double flake_reflectivity = 0.03;
+  double flake_reflectivity = 0.05;
   double drift_flakes_per_m3 = 0.0;
   double drift_height_m = 0.4;
   double gustiness = 0.5;
@@ -58,7 +58,7 @@ struct AirBeam {
 struct AirEcho {
   double range_m = 0.0;
   double light = 0.0;         ///< as `received_light`; at least about the detection limit
-  double reflectivity = 0.0;  ///< 0..255 as the sensor reports it
+  double reflectivity = 0.0;  ///< 0..255 as the sensor reports it, not rounded
   bool dust = false;
 };
 
