@@ -46,6 +46,14 @@ bool make_puddle(const Run& road, double length_m, Random& random, RoadPatch& pa
   return flattest < kMostPuddleGradient && run_place.inside_m > 0.5 * radius + kEdgeRoomM;
 }
 
+/// Puddles that touch would have one level.
+bool touches_puddle(const std::vector<RoadPatch>& patches, const RoadPatch& puddle) {
+  return std::any_of(patches.begin(), patches.end(), [&](const RoadPatch& other) {
+    return other.is_puddle &&
+           std::hypot(other.x_m - puddle.x_m, other.y_m - puddle.y_m) < other.reach_m + puddle.reach_m;
+  });
+}
+
 double rut_m(double across_m) {
   const double t = across_m / kRutHalfWidthM;
   // A groove with slightly raised rims.
@@ -66,7 +74,7 @@ RoadDetails::RoadDetails(const HaulRoadConfig& config, const Run& road, std::uin
   }
   for (int i = 0; i < count_of(config.puddles_per_km); ++i) {
     RoadPatch puddle;
-    if (make_puddle(road, length, random, puddle)) {
+    if (make_puddle(road, length, random, puddle) && !touches_puddle(patches, puddle)) {
       patches.push_back(puddle);
     }
   }

@@ -16,6 +16,8 @@ constexpr double kCellM = 12.0;
 /// Places farther from the line than this are searched without the grid.
 constexpr double kGridMarginM = 180.0;
 constexpr int kNewtonSteps = 4;
+/// A chord is nowhere farther from its arc than this, as long as bends are wider than a few metres.
+constexpr double kChordErrorM = 0.02;
 
 /// Place and derivatives of the cubic between two points with given tangents, by the share u of the segment.
 struct Cubic {
@@ -223,7 +225,7 @@ RoutePlace Route::nearest(double x_m, double y_m) const {
       break;
     }
   }
-  if ((p - cubic.place).squaredNorm() > start.squared_m2 + 1e-2) {
+  if ((p - cubic.place).norm() > std::sqrt(start.squared_m2) + kChordErrorM) {
     // Around the centre of a bend the search for the foot can leave the nearest branch.
     i = start.segment;
     u = start.share;

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kPylonEveryM = 55.0;
 constexpr double kPylonHeightM = 11.0;
+/// Ropes keep this far above the ground.
+constexpr double kClearanceM = 7.0;
 constexpr double kHalfCrossbarM = 2.6;
 constexpr double kRopeRadiusM = 0.025;
 constexpr int kRopePieces = 6;
@@ -18,31 +20,52 @@ constexpr int kRopePieces = 6;
 constexpr double kSag = 0.02;
 constexpr Material kSteel{Surface::metal, truth::kPole};
 
-void add_pylon(MeshBuilder& builder, const Eigen::Vector3d& ground_m, double yaw_rad) {
-  builder.set_frame(upright_frame(ground_m, yaw_rad));
-  builder.set_material({Surface::concrete, truth::kPole});
-  builder.box({-0.9, -0.9, -1.5}, {0.9, 0.9, 0.4});
-  builder.set_material(kSteel);
-  builder.rod({0, 0, 0.3}, {0, 0, kPylonHeightM}, 0.45, 0.28, 12);
-  builder.box({-0.2, -kHalfCrossbarM, kPylonHeightM - 0.5}, {0.2, kHalfCrossbarM, kPylonHeightM - 0.2});
-  for (const double y : {-kHalfCrossbarM, kHalfCrossbarM}) {
-    builder.box({-1.2, y - 0.12, kPylonHeightM - 0.25}, {1.2, y + 0.12, kPylonHeightM});
+struct Pylon {
+  Eigen::Vector3d foot_m;
+  double height_m;
+};
+
+/// Middle of the two ropes between two pylons, at share t.
+Eigen::Vector3d rope_at(const Pylon& from, const Pylon& to, double t) {
+  const Eigen::Vector3d low = from.foot_m + Eigen::Vector3d(0, 0, from.height_m);
+  const Eigen::Vector3d high = to.foot_m + Eigen::Vector3d(0, 0, to.height_m);
+  return low + t * (high - low) - Eigen::Vector3d(0, 0, 4.0 * kSag * (high - low).norm() * t * (1.0 - t));
+}
+
+/// Makes pylons higher where the ropes would come too near to the ground.
+void clear_ground(const Terrain& terrain, std::vector<Pylon>& pylons) {
+  for (std::size_t i = 1; i < pylons.size(); ++i) {
+    double missing = 0.0;
+    for (double t = 0.05; t < 1.0; t += 0.05) {
+      const Eigen::Vector3d rope = rope_at(pylons[i - 1], pylons[i], t);
+      missing = std::max(missing, terrain.at(rope.x(), rope.y()).height_m + kClearanceM - rope.z());
+    }
+    pylons[i - 1].height_m += missing;
+    pylons[i].height_m += missing;
   }
 }
 
-void add_ropes(MeshBuilder& builder, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double yaw_rad) {
+void add_pylon(MeshBuilder& builder, const Pylon& pylon, double yaw_rad) {
+  const double top = pylon.height_m;
+  builder.set_frame(upright_frame(pylon.foot_m, yaw_rad));
+  builder.set_material({Surface::concrete, truth::kPole});
+  builder.box({-0.9, -0.9, -1.5}, {0.9, 0.9, 0.4});
+  builder.set_material(kSteel);
+  builder.rod({0, 0, 0.3}, {0, 0, top}, 0.45, 0.28, 12);
+  builder.box({-0.2, -kHalfCrossbarM, top - 0.5}, {0.2, kHalfCrossbarM, top - 0.2});
+  for (const double y : {-kHalfCrossbarM, kHalfCrossbarM}) {
+    builder.box({-1.2, y - 0.12, top - 0.25}, {1.2, y + 0.12, top});
+  }
+}
+
+void add_ropes(MeshBuilder& builder, const Pylon& from, const Pylon& to, double yaw_rad) {
   builder.set_frame(Eigen::Isometry3d::Identity());
   builder.set_material(kSteel);
-  const double span = (to - from).norm();
   for (const double y : {-kHalfCrossbarM, kHalfCrossbarM}) {
-    const Eigen::Vector3d offset(-y * std::sin(yaw_rad), y * std::cos(yaw_rad), kPylonHeightM);
-    const auto at = [&](int i) {
-      const double t = static_cast<double>(i) / kRopePieces;
-      return Eigen::Vector3d(from + t * (to - from) + offset -
-                             Eigen::Vector3d(0, 0, 4.0 * kSag * span * t * (1.0 - t)));
-    };
+    const Eigen::Vector3d aside(-y * std::sin(yaw_rad), y * std::cos(yaw_rad), 0.0);
     for (int i = 0; i < kRopePieces; ++i) {
-      builder.rod(at(i), at(i + 1), kRopeRadiusM, kRopeRadiusM, 4);
+      builder.rod(rope_at(from, to, static_cast<double>(i) / kRopePieces) + aside,
+                  rope_at(from, to, static_cast<double>(i + 1) / kRopePieces) + aside, kRopeRadiusM, kRopeRadiusM, 4);
     }
   }
 }
@@ -85,18 +108,21 @@ void add_lift(const Site& site, TriangleMesh& mesh) {
   const double yaw = std::atan2(to.y() - from.y(), to.x() - from.x());
   const int spans = std::max(1, static_cast<int>(std::hypot(to.x() - from.x(), to.y() - from.y()) / kPylonEveryM));
   MeshBuilder builder(mesh);
-  std::vector<Eigen::Vector3d> feet;
+  std::vector<Pylon> pylons;
   for (int i = 0; i <= spans; ++i) {
     const Eigen::Vector3d place = from + (to - from) * (static_cast<double>(i) / spans);
     const GroundSample ground = site.terrain.at(place.x(), place.y());
     if (ground.inside_m > -2.5) {
       continue;
     }
-    feet.emplace_back(place.x(), place.y(), ground.height_m);
-    add_pylon(builder, feet.back(), yaw);
+    pylons.push_back({{place.x(), place.y(), ground.height_m}, kPylonHeightM});
   }
-  for (std::size_t i = 1; i < feet.size(); ++i) {
-    add_ropes(builder, feet[i - 1], feet[i], yaw);
+  clear_ground(site.terrain, pylons);
+  for (std::size_t i = 0; i < pylons.size(); ++i) {
+    add_pylon(builder, pylons[i], yaw);
+    if (i > 0) {
+      add_ropes(builder, pylons[i - 1], pylons[i], yaw);
+    }
   }
 }
 

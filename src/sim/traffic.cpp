@@ -19,6 +19,8 @@ constexpr double kPassingM = 3.4;
 constexpr double kToEdgeM = 0.5;
 /// From one moving machine to the next.
 constexpr double kFollowM = 70.0;
+/// An oncoming machine looks for a stretch of this length that is wide enough.
+constexpr double kRoomM = 80.0;
 /// Beyond the ends of the route they drive this far.
 constexpr double kBeyondM = 80.0;
 constexpr double kSpeedChange = 0.12;
@@ -68,16 +70,26 @@ Mover drive_along(const Site& site, const VehicleModel& model, double s_m, doubl
   return mover;
 }
 
-/// The first place at or after `s_m` where an oncoming machine has room.
+/// Where an oncoming machine begins at or after `s_m`: at the far end of the first stretch that is wide enough for
+/// long enough, else of the longest.
 double find_room(const Site& site, const VehicleModel& model, double s_m) {
-  for (double s = s_m; s < site.plan.route.length_m + kBeyondM; s += 1.0) {
-    if (oncoming_lane_m(site, model, s) > 0.0) {
-      return s;
+  double longest = 0.0;
+  double best = s_m;
+  double from = s_m;
+  for (double s = s_m; s < site.plan.route.length_m + kBeyondM && longest < kRoomM; s += 1.0) {
+    if (oncoming_lane_m(site, model, s) < 0.0) {
+      from = s + 1.0;
+    } else if (s - from >= longest) {
+      longest = s - from;
+      best = s;
     }
   }
-  throw ConfigError("traffic.oncoming",
-                    "is " + std::to_string(site.plan.traffic.oncoming) + ", but behind " + std::to_string(s_m) +
-                        " m the way is nowhere wide enough to pass: ask for fewer, or for a wider way");
+  if (longest <= 0.0) {
+    throw ConfigError("traffic.oncoming",
+                      "is " + std::to_string(site.plan.traffic.oncoming) + ", but behind " + std::to_string(s_m) +
+                          " m the way is nowhere wide enough to pass: ask for fewer, or for a wider way");
+  }
+  return best;
 }
 
 }  // namespace
