@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include <sys/auxv.h>
+
 #include "berm/core/error.hpp"
 #include "berm/io/closest_name.hpp"
 
@@ -15,13 +17,25 @@ std::vector<std::string> to_strings(const std::vector<std::filesystem::path>& pa
   return texts;
 }
 
+/// The file of the running program; empty if the system does not tell.
+std::filesystem::path program_file() {
+  std::error_code code;
+  std::filesystem::path file = std::filesystem::read_symlink("/proc/self/exe", code);
+  if (!code) {
+    return file;
+  }
+  // A bare chroot may have no /proc; the kernel also hands over the name that was started.
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): getauxval has one return type for numbers and addresses.
+  const auto* started = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+  file = started == nullptr ? "" : std::filesystem::canonical(started, code);
+  return code ? std::filesystem::path() : file;
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> settings_folders(const SettingsKind& kind) {
   std::vector<std::filesystem::path> folders = {kind.plural};
-  std::error_code code;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", code);
-  if (!code) {
+  if (const std::filesystem::path program = program_file(); !program.empty()) {
     const std::filesystem::path folder = program.parent_path();
     folders.push_back(folder / "share/berm" / kind.plural);
     folders.push_back(folder.parent_path() / "share/berm" / kind.plural);
