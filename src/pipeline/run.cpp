@@ -14,9 +14,9 @@
 #include "berm/core/ordered_parallel.hpp"
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/label_file.hpp"
+#include "berm/io/output_folder.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "berm/pipeline/pipeline.hpp"
-#include "output_folder.hpp"
 #include "run_report.hpp"
 #include "stage_times.hpp"
 
@@ -65,7 +65,7 @@ class Run {
   }
 
   RunSummary finish() {
-    OutputFolder output(options_.output, options_.force, recording_.path());
+    OutputFolder output(options_.output, options_.force, run_results(), recording_.path());
     output_ = &output;
     const StageClock clock;
     process_scans();
@@ -78,11 +78,11 @@ class Run {
     }
     const bool has_trajectory = given_poses_ && !given_poses_->trajectory.empty();
     if (has_trajectory) {
-      write_tum(output.trajectory_file(), trajectory_);
+      write_tum(output / "trajectory.tum", trajectory_);
       note_missing_poses();
     }
     times_.wall_s = clock.stop().wall_ms * 1e-3;
-    write_file_atomically(output.run_file(),
+    write_file_atomically(output / "run.json",
                           write_run_report(recording_, machine_, options_, summary_, times_, has_trajectory));
     output.finish();
     return std::move(summary_);
@@ -123,7 +123,7 @@ class Run {
       skip(name, *job.failure);
     } else {
       const StageClock clock;
-      write_labels(output_->labels_folder() / (name + ".label"), job.labels);
+      write_labels(*output_ / "labels" / (name + ".label"), job.labels);
       times_.write.add(clock.stop());
       times_.read.add(job.read);
       times_.ground.add(job.process);

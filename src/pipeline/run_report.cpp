@@ -63,6 +63,11 @@ double peak_memory_mib() {
 
 }  // namespace
 
+OutputResults run_results() {
+  return {
+      "run", "run.json", std::string("\"schema\": \"") + kRunSchemaName, {"trajectory.tum"}, {{"labels", ".label"}}};
+}
+
 std::string write_run_report(const Recording& recording, const Machine& machine, const RunOptions& options,
                              const RunSummary& summary, const RunTimes& times, bool has_trajectory) {
   Json files = {{"labels", "labels"}};

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "berm/io/output_folder.hpp"
 #include "berm/io/recording.hpp"
 #include "berm/pipeline/machine.hpp"
 #include "berm/pipeline/run.hpp"
@@ -20,6 +21,9 @@ struct RunTimes {
   StageTimes write;
   double wall_s = 0.0;
 };
+
+/// What a run leaves in its folder.
+[[nodiscard]] OutputResults run_results();
 
 /// The text of run.json.
 [[nodiscard]] std::string write_run_report(const Recording& recording, const Machine& machine,

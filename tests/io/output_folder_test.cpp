@@ -1,4 +1,4 @@
-#include "output_folder.hpp"
+#include "berm/io/output_folder.hpp"
 
 #include <optional>
 
@@ -18,10 +18,14 @@ using test::spill;
 
 constexpr const char* kRunFile = "{\n  \"schema\": \"berm.run/1\"\n}\n";
 
+OutputResults run_results() {
+  return {"run", "run.json", "\"schema\": \"berm.run", {"trajectory.tum"}, {{"labels", ".label"}}};
+}
+
 class OutputFolderTest : public testing::Test {
  protected:
   void expect_refused(bool force, const std::string& says) {
-    expect_file_error(ErrorCode::exists, says, [&] { OutputFolder(out_, force, recording_); });
+    expect_file_error(ErrorCode::exists, says, [&] { OutputFolder(out_, force, run_results(), recording_); });
   }
   void make_old_run() const {
     fs::create_directories(out_ / "labels");
@@ -36,31 +40,31 @@ class OutputFolderTest : public testing::Test {
 };
 
 TEST_F(OutputFolderTest, IsCreatedWithItsParents) {
-  OutputFolder output(folder_ / "a/b/c", false, recording_);
+  OutputFolder output(folder_ / "a/b/c", false, run_results(), recording_);
   EXPECT_TRUE(fs::is_directory(folder_ / "a/b/c/labels"));
 }
 
 TEST_F(OutputFolderTest, AnEmptyFolderIsFine) {
   fs::create_directory(out_);
-  OutputFolder(out_, false, recording_);
+  OutputFolder(out_, false, run_results(), recording_);
   EXPECT_TRUE(fs::is_directory(out_));
 }
 
 TEST_F(OutputFolderTest, WithoutAnyResultNothingIsLeft) {
-  { OutputFolder output(out_, false, recording_); }
+  { OutputFolder output(out_, false, run_results(), recording_); }
   EXPECT_FALSE(fs::exists(out_));
 }
 
 TEST_F(OutputFolderTest, AnUnfinishedRunKeepsItsMarkerAFinishedOneDoesNot) {
   {
-    OutputFolder output(out_, false, recording_);
-    spill(output.labels_folder() / "000000.label", "");
+    OutputFolder output(out_, false, run_results(), recording_);
+    spill(output / "labels" / "000000.label", "");
   }
   EXPECT_TRUE(fs::exists(out_ / OutputFolder::kMarker));
   expect_refused(false, "did not finish");
   {
-    OutputFolder output(out_, true, recording_);
-    spill(output.labels_folder() / "000000.label", "");
+    OutputFolder output(out_, true, run_results(), recording_);
+    spill(output / "labels" / "000000.label", "");
     output.finish();
   }
   EXPECT_FALSE(fs::exists(out_ / OutputFolder::kMarker));
@@ -77,7 +81,7 @@ TEST_F(OutputFolderTest, ForceRemovesTheResultsOfARunAndNothingElse) {
   spill(out_ / "notes.txt", "mine");
   spill(out_ / "labels/readme.md", "mine");
   spill(out_ / "run.json.1-2.berm-tmp", "");
-  const OutputFolder output(out_, true, recording_);
+  const OutputFolder output(out_, true, run_results(), recording_);
   EXPECT_FALSE(fs::exists(out_ / "run.json"));
   EXPECT_FALSE(fs::exists(out_ / "trajectory.tum"));
   EXPECT_FALSE(fs::exists(out_ / "labels/000007.label"));
@@ -109,9 +113,10 @@ TEST_F(OutputFolderTest, ForceDoesNotFollowALinkOutOfTheFolder) {
 
 TEST_F(OutputFolderTest, TheRecordingIsNeverTheOutput) {
   fs::create_directories(recording_ / "scans");
-  expect_file_error(ErrorCode::exists, "recording itself", [&] { OutputFolder(recording_, true, recording_); });
   expect_file_error(ErrorCode::exists, "recording itself",
-                    [&] { OutputFolder(recording_ / "scans/..", true, recording_); });
+                    [&] { OutputFolder(recording_, true, run_results(), recording_); });
+  expect_file_error(ErrorCode::exists, "recording itself",
+                    [&] { OutputFolder(recording_ / "scans/..", true, run_results(), recording_); });
 }
 
 TEST_F(OutputFolderTest, AFileIsNoFolder) {
@@ -120,7 +125,7 @@ TEST_F(OutputFolderTest, AFileIsNoFolder) {
 }
 
 TEST_F(OutputFolderTest, TwoRunsCannotWriteAtTheSameTime) {
-  const OutputFolder first(out_, false, recording_);
+  const OutputFolder first(out_, false, run_results(), recording_);
   expect_refused(false, "did not finish");
   // A lock is held per open file: the second writer is another process or this one, all the same.
   expect_refused(true, "another run is writing");
@@ -137,7 +142,7 @@ TEST_F(OutputFolderTest, AFolderThatCannotBeWrittenSaysWhy) {
       return 0;
     }
     try {
-      OutputFolder output(out_, false, recording_);
+      OutputFolder output(out_, false, run_results(), recording_);
     } catch (const FileError& error) {
       const bool says_why = std::string(error.what()).find("ermission denied") != std::string::npos;
       return error.code() == ErrorCode::write_failed && says_why ? 0 : 2;

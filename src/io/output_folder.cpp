@@ -1,4 +1,4 @@
-#include "output_folder.hpp"
+#include "berm/io/output_folder.hpp"
 
 #include <array>
 #include <cerrno>
@@ -16,7 +16,6 @@
 
 #include "berm/core/error.hpp"
 #include "berm/io/atomic_file.hpp"
-#include "run_report.hpp"
 
 namespace berm {
 namespace {
@@ -31,36 +30,25 @@ namespace fs = std::filesystem;
   fail(ErrorCode::write_failed, path, what + ": " + reason.message() + "; choose another folder with -o");
 }
 
-/// Whether `file` is the run.json of a run of berm: it starts with its schema.
-bool is_run_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::array<char, 256> head{};
-  stream.read(head.data(), head.size());
-  const std::string_view text(head.data(), static_cast<std::size_t>(stream.gcount()));
-  return text.find(std::string("\"schema\": \"") + kRunSchemaName) != std::string_view::npos;
-}
-
 bool is_temporary(const fs::path& file) {
   return file.filename().string().ends_with(AtomicFile::kTemporarySuffix);
-}
-
-bool is_label_file(const fs::path& file) {
-  return file.extension() == ".label" || is_temporary(file);
 }
 
 void remove_file(const fs::path& file) {
   std::error_code code;
   fs::remove(file, code);
   if (code) {
-    fail_with(file, "the result of an earlier run cannot be removed", code);
+    fail_with(file, "cannot be removed to make room for new results", code);
   }
 }
 
-void remove_files_if(const fs::path& folder, bool (*is_of_a_run)(const fs::path&)) {
+/// Temporary files, and those that end with `extension` unless that is empty.
+void remove_files(const fs::path& folder, const std::string& extension) {
   std::error_code code;
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
-    if (is_of_a_run(entry->path())) {
-      remove_file(entry->path());
+    const fs::path& file = entry->path();
+    if (is_temporary(file) || (!extension.empty() && file.extension() == extension)) {
+      remove_file(file);
     }
   }
 }
@@ -72,7 +60,8 @@ bool same_folder(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path folder, bool force, const fs::path& recording) : folder_(std::move(folder)) {
+OutputFolder::OutputFolder(fs::path folder, bool force, OutputResults results, const fs::path& recording)
+    : folder_(std::move(folder)), results_(std::move(results)) {
   std::error_code code;
   const auto status = fs::status(folder_, code);
   if (fs::exists(status) && !fs::is_directory(status)) {
@@ -84,17 +73,14 @@ OutputFolder::OutputFolder(fs::path folder, bool force, const fs::path& recordin
   if (fs::exists(status) && !force && !fs::is_empty(folder_, code)) {
     const bool unfinished = fs::exists(folder_ / kMarker, code);
     fail(ErrorCode::exists, folder_,
-         std::string(unfinished ? "holds a run that did not finish" : "is not empty") +
+         (unfinished ? "holds a " + results_.work + " that did not finish" : "is not empty") +
              "; choose another folder with -o, or replace the results in it with --force");
   }
   create();
   try {
     claim();
     remove_old_results();
-    fs::create_directory(labels_folder(), code);
-    if (code) {
-      fail_with(labels_folder(), "cannot be created", code);
-    }
+    create_folders();
   } catch (...) {
     if (lock_ >= 0) {
       ::close(lock_);
@@ -133,25 +119,54 @@ void OutputFolder::claim() {
                        held.st_ino == named.st_ino && held.st_dev == named.st_dev;
   if (!locked || !current) {
     marker_was_there_ = true;
-    fail(ErrorCode::exists, folder_, "another run is writing there now; wait for it or choose another folder with -o");
+    fail(ErrorCode::exists, folder_,
+         "another " + results_.work + " is writing there now; wait for it or choose another folder with -o");
   }
+}
+
+bool OutputFolder::is_of_berm() const {
+  std::ifstream stream(folder_ / results_.last_file, std::ios::binary);
+  std::array<char, 4096> head{};
+  stream.read(head.data(), head.size());
+  const std::string_view text(head.data(), static_cast<std::size_t>(stream.gcount()));
+  return text.find(results_.mark) != std::string_view::npos;
 }
 
 void OutputFolder::remove_old_results() const {
   std::error_code code;
-  const bool ours = marker_was_there_ || is_run_file(run_file());
-  for (const fs::path& result : {run_file(), trajectory_file(), labels_folder()}) {
+  const bool ours = marker_was_there_ || is_of_berm();
+  std::vector<std::string> names = results_.files;
+  names.insert(names.begin(), results_.last_file);
+  for (const OutputResults::Folder& folder : results_.folders) {
+    names.push_back(folder.name);
+  }
+  for (const std::string& name : names) {
+    const fs::path result = folder_ / name;
     const auto status = fs::symlink_status(result, code);
     if ((!ours && fs::exists(status)) || fs::is_symlink(status)) {
       fail(ErrorCode::exists, result,
-           "was not written by a run of berm and is not replaced; choose another folder with -o");
+           "was not written by a " + results_.work + " of berm and is not replaced; choose another folder with -o");
     }
   }
-  // run.json first: from here on the folder is no whole run.
-  remove_file(run_file());
-  remove_file(trajectory_file());
-  remove_files_if(labels_folder(), is_label_file);
-  remove_files_if(folder_, is_temporary);
+  // The last file first: from here on the folder is not whole.
+  remove_file(folder_ / results_.last_file);
+  for (const std::string& file : results_.files) {
+    remove_file(folder_ / file);
+  }
+  for (const OutputResults::Folder& folder : results_.folders) {
+    remove_files(folder_ / folder.name, folder.extension);
+  }
+  remove_files(folder_, "");
+}
+
+void OutputFolder::create_folders() const {
+  std::error_code code;
+  for (const OutputResults::Folder& folder : results_.folders) {
+    fs::create_directory(folder_ / folder.name, code);
+    if (code) {
+      fail_with(folder_ / folder.name, "cannot be created", code);
+    }
+  }
 }
 
 void OutputFolder::finish() {
@@ -161,8 +176,12 @@ void OutputFolder::finish() {
 
 OutputFolder::~OutputFolder() {
   std::error_code code;
-  // Only an empty folder is removed this way.
-  if (fs::remove(labels_folder(), code)) {
+  // Only empty folders are removed this way.
+  bool nothing_written = true;
+  for (const OutputResults::Folder& folder : results_.folders) {
+    nothing_written = fs::remove(folder_ / folder.name, code) && nothing_written;
+  }
+  if (nothing_written) {
     fs::remove(folder_ / kMarker, code);
     if (created_) {
       fs::remove(folder_, code);
