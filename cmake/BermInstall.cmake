@@ -56,7 +56,9 @@ write_basic_package_version_file(bermConfigVersion.cmake COMPATIBILITY SameMinor
 install(FILES ${PROJECT_BINARY_DIR}/bermConfig.cmake ${PROJECT_BINARY_DIR}/bermConfigVersion.cmake cmake/Findlzf.cmake
   DESTINATION ${BERM_CMAKE_DIR})
 install(DIRECTORY include/berm DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY machines/ DESTINATION ${CMAKE_INSTALL_DATADIR}/berm/machines FILES_MATCHING PATTERN "*.yaml")
+foreach(kind machines sensors scenarios)
+  install(DIRECTORY ${kind}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/berm/${kind} FILES_MATCHING PATTERN "*.yaml")
+endforeach()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET berm)
   install(TARGETS berm RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

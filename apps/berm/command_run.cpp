@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <csignal>
 #include <memory>
 #include <thread>
 
@@ -16,6 +15,7 @@
 #include "exit_code.hpp"
 #include "machine_option.hpp"
 #include "progress_bar.hpp"
+#include "signals.hpp"
 
 namespace berm::app {
 namespace {
@@ -36,18 +36,6 @@ struct RunCommand {
   std::size_t count = 0;
 };
 
-volatile std::sig_atomic_t received_signal = 0;
-
-/// The first signal asks for a clean end, a second one ends the program as it always would.
-void catch_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int signal) { received_signal = signal; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
 double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -60,7 +48,7 @@ int report(const RunSummary& summary, const RunOptions& options) {
         fmt::format("stopped by a signal after {} of {} scans: {} holds their labels and no run.json; run again "
                     "with --force",
                     counts.labelled + counts.skipped, counts.selected, output));
-    return kSignalBase + received_signal;
+    return kSignalBase + received_signal();
   }
   for (const std::string& note : summary.notes) {
     spdlog::info("note: {}", note);
@@ -89,7 +77,7 @@ int execute(RunCommand& command) {
   const RunSummary summary = [&] {
     ProgressBar bar(command.console.is_quiet());
     command.options.on_progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
-    command.options.should_stop = [] { return received_signal != 0; };
+    command.options.should_stop = [] { return received_signal() != 0; };
     return run(recording, chosen.machine, command.options);
   }();
   return report(summary, command.options);

@@ -13,6 +13,7 @@ namespace berm::app {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
+  berm sim groomer_snowfall -o recording
   berm info recording
   berm run recording --machine car -o out
   berm eval out recording
@@ -41,6 +42,7 @@ int run_program(int argc, char** argv) {
   app.require_subcommand(1);
   add_info(app, exit_code);
   add_run(app, exit_code);
+  add_sim(app, exit_code);
   add_eval(app, exit_code);
   add_draw(app, exit_code);
   add_machine(app, exit_code);
