@@ -21,6 +21,10 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 /// What branches off is this much narrower.
 constexpr double kForkWidthShare = 0.7;
 constexpr double kForkLengthM = 170.0;
+constexpr double kShortestForkM = 60.0;
+constexpr int kForkAttempts = 24;
+/// Runs that do not meet stay this far from edge to middle.
+constexpr double kApartM = 22.0;
 /// After a fork has left its run, its gradient turns to one of its own, this much off at most, over this distance.
 constexpr double kForkGradientDeg = 8.0;
 constexpr double kForkEaseM = 60.0;
@@ -64,25 +68,64 @@ void lay_fork_heights(const Run& run, std::vector<RoutePoint>& course, double gr
   }
 }
 
-Run make_fork(const WorldPlan& plan, const Run& main_run, std::uint64_t index, std::uint64_t seed,
+/// How many points of a fork can stay: none may come back to a run once it has left, nor near to another one.
+std::size_t usable_points(const std::vector<Run>& runs, const std::vector<RoutePoint>& course) {
+  bool has_left = false;
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    const double inside = runs[0].place(course[i].x_m, course[i].y_m).inside_m;
+    has_left = has_left || inside < -kApartM;
+    farthest = std::max(farthest, -inside);
+    const bool comes_back = farthest > 1.0 && -inside < farthest - 1.0;
+    bool too_near = (has_left || comes_back) && inside > -kApartM;
+    for (std::size_t other = 1; other < runs.size(); ++other) {
+      too_near = too_near || runs[other].place(course[i].x_m, course[i].y_m).inside_m > -kApartM;
+    }
+    if (too_near) {
+      return i;
+    }
+  }
+  return course.size();
+}
+
+/// Where a fork leaves, to which side and how sharply: tries some, takes the one that can go farthest.
+std::vector<RoutePoint> find_fork(const WorldPlan& plan, const std::vector<Run>& runs, Random& random) {
+  std::vector<RoutePoint> best;
+  for (int attempt = 0; attempt < kForkAttempts; ++attempt) {
+    const double s = plan.route.length_m * random.uniform(0.12, 0.88);
+    const double side = random.chance(0.5) ? 1.0 : -1.0;
+    // Runs part at small angles, roads of a mine at larger ones.
+    const bool haul_road = plan.world.kind == "haul_road";
+    const double turn = (haul_road ? random.uniform(60.0, 85.0) : random.uniform(30.0, 50.0)) * kDegree;
+    std::vector<RoutePoint> course =
+        lay_fork(runs[0].route.at(s), side, turn, plan.route.min_radius_m * 1.05, kForkLengthM);
+    course.resize(usable_points(runs, course));
+    if (course.size() > best.size()) {
+      best = std::move(course);
+    }
+    if (static_cast<double>(best.size()) > kForkLengthM / kRouteStepM) {
+      break;
+    }
+  }
+  return best;
+}
+
+/// Adds a run that leaves the first; none where there is no room for one.
+void add_fork(const WorldPlan& plan, std::vector<Run>& runs, std::uint64_t seed,
               const std::optional<ModelGround>& model) {
-  Random random(seed, Purpose::route, 10, index);
-  const double share =
-      (static_cast<double>(index) + random.uniform(0.25, 0.75)) / std::max(1.0, static_cast<double>(plan.piste.forks));
-  const bool haul_road = plan.world.kind == "haul_road";
-  const double s = plan.route.length_m * std::clamp(0.1 + 0.8 * share, 0.1, 0.9);
-  const double side = random.chance(0.5) ? 1.0 : -1.0;
-  // Runs part at small angles, roads of a mine at larger ones.
-  const double turn = (haul_road ? random.uniform(60.0, 85.0) : random.uniform(30.0, 50.0)) * kDegree;
-  std::vector<RoutePoint> course =
-      lay_fork(main_run.route.at(s), side, turn, plan.route.min_radius_m * 1.05, kForkLengthM);
+  Random random(seed, Purpose::route, 10, runs.size());
+  std::vector<RoutePoint> course = find_fork(plan, runs, random);
+  if (static_cast<double>(course.size()) * kRouteStepM < kShortestForkM) {
+    return;
+  }
   // Not much steeper than what it leaves: between the two there is to be a slope, not a cliff.
-  const double left_deg = std::atan(main_run.route.gradient(s)) / kDegree;
+  const double left_deg =
+      std::atan(runs[0].route.gradient(runs[0].place(course[0].x_m, course[0].y_m).place.s_m)) / kDegree;
   const double gradient = std::tan(std::clamp(left_deg + random.uniform(-kForkGradientDeg, kForkGradientDeg),
                                               plan.route.min_gradient_deg, plan.route.max_gradient_deg) *
                                    kDegree);
-  lay_fork_heights(main_run, course, gradient, model);
-  return make_run(plan, std::move(course), kForkWidthShare, {seed, index + 1});
+  lay_fork_heights(runs[0], course, gradient, model);
+  runs.push_back(make_run(plan, std::move(course), kForkWidthShare, {seed, runs.size()}));
 }
 
 std::uint64_t forks_of(const WorldPlan& plan) {
@@ -189,7 +232,7 @@ BuiltGround build_ground(const WorldPlan& plan, const std::optional<HeightRaster
   std::vector<Run> runs;
   runs.push_back(make_run(plan, std::move(course), 1.0, {seed, 0}));
   for (std::uint64_t i = 0; i < forks_of(plan); ++i) {
-    runs.push_back(make_fork(plan, runs[0], i, seed, model));
+    add_fork(plan, runs, seed, model);
   }
   ground.area = area_around(runs, plan.world.margin_m);
   ground.terrain = make_terrain(plan, std::move(runs), model, ground.area, seed);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,8 @@ namespace berm::sim {
 namespace {
 
 constexpr std::size_t kSegmentsPerPiece = 8;
-constexpr double kCellM = 12.0;
+constexpr double kCellM = 4.0;
+constexpr double kCoarseM = 40.0;
 /// Places farther from the line than this are searched without the grid.
 constexpr double kGridMarginM = 180.0;
 constexpr int kNewtonSteps = 4;
@@ -130,6 +132,40 @@ void Route::make_grid() {
     max_x = std::max(max_x, p.x_m);
     max_y = std::max(max_y, p.y_m);
   }
+  make_pieces();
+  const auto make_shape = [&](double cell_m) {
+    return GridShape{.origin_x_m = min_x - kGridMarginM,
+                     .origin_y_m = min_y - kGridMarginM,
+                     .cell_m = cell_m,
+                     .columns = static_cast<int>((max_x - min_x + 2.0 * kGridMarginM) / cell_m) + 1,
+                     .rows = static_cast<int>((max_y - min_y + 2.0 * kGridMarginM) / cell_m) + 1};
+  };
+  // Coarse cells first: fine ones then look only at what is near the coarse cell that they lie in.
+  std::vector<std::uint32_t> all(pieces_.size());
+  std::iota(all.begin(), all.end(), 0U);
+  Grid2D<std::vector<std::uint32_t>> coarse(make_shape(kCoarseM));
+  for (int row = 0; row < coarse.shape().rows; ++row) {
+    for (int column = 0; column < coarse.shape().columns; ++column) {
+      const GridIndex cell{column, row};
+      *coarse.find(cell) = pieces_near(all, coarse.center_x_m(cell), coarse.center_y_m(cell), kCoarseM);
+    }
+  }
+  cells_ = Grid2D<std::array<std::uint32_t, 2>>(make_shape(kCellM));
+  for (int row = 0; row < cells_.shape().rows; ++row) {
+    for (int column = 0; column < cells_.shape().columns; ++column) {
+      const GridIndex cell{column, row};
+      const double x = cells_.center_x_m(cell);
+      const double y = cells_.center_y_m(cell);
+      const auto* const around = coarse.find_at(x, y);
+      const std::vector<std::uint32_t> near = pieces_near(around != nullptr ? *around : all, x, y, kCellM);
+      const auto begin = static_cast<std::uint32_t>(near_.size());
+      near_.insert(near_.end(), near.begin(), near.end());
+      *cells_.find(cell) = {begin, static_cast<std::uint32_t>(near_.size())};
+    }
+  }
+}
+
+void Route::make_pieces() {
   for (std::size_t first = 0; first + 1 < points_.size(); first += kSegmentsPerPiece) {
     const std::size_t last = std::min(first + kSegmentsPerPiece, points_.size() - 1);
     const RoutePoint& middle = points_[(first + last) / 2];
@@ -139,40 +175,38 @@ void Route::make_grid() {
     }
     pieces_.push_back(piece);
   }
-  cells_ = Grid2D<std::array<std::uint32_t, 2>>(
-      {.origin_x_m = min_x - kGridMarginM,
-       .origin_y_m = min_y - kGridMarginM,
-       .cell_m = kCellM,
-       .columns = static_cast<int>((max_x - min_x + 2.0 * kGridMarginM) / kCellM) + 1,
-       .rows = static_cast<int>((max_y - min_y + 2.0 * kGridMarginM) / kCellM) + 1});
-  const double half_diagonal = kCellM * std::sqrt(0.5);
-  for (int row = 0; row < cells_.shape().rows; ++row) {
-    for (int column = 0; column < cells_.shape().columns; ++column) {
-      const GridIndex cell{column, row};
-      const double x = cells_.center_x_m(cell);
-      const double y = cells_.center_y_m(cell);
-      double surely_within = std::numeric_limits<double>::infinity();
-      for (const Piece& piece : pieces_) {
-        surely_within = std::min(surely_within, std::hypot(piece.x_m - x, piece.y_m - y));
-      }
-      const auto begin = static_cast<std::uint32_t>(near_.size());
-      for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const double least = std::hypot(pieces_[i].x_m - x, pieces_[i].y_m - y) - pieces_[i].radius_m;
-        if (least <= surely_within + 2.0 * half_diagonal) {
-          near_.push_back(static_cast<std::uint32_t>(i));
-        }
-      }
-      *cells_.find(cell) = {begin, static_cast<std::uint32_t>(near_.size())};
+}
+
+std::vector<std::uint32_t> Route::pieces_near(const std::vector<std::uint32_t>& among, double x_m, double y_m,
+                                              double cell_m) const {
+  const auto distance = [&](const Piece& piece) {
+    const double dx = piece.x_m - x_m;
+    const double dy = piece.y_m - y_m;
+    return std::sqrt(dx * dx + dy * dy);
+  };
+  double surely_within = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : among) {
+    surely_within = std::min(surely_within, distance(pieces_[i]));
+  }
+  // A place of the cell is up to half a diagonal away from its middle, to and fro.
+  const double diagonal = cell_m * std::sqrt(2.0);
+  std::vector<std::uint32_t> near;
+  for (const std::uint32_t i : among) {
+    if (distance(pieces_[i]) - pieces_[i].radius_m <= surely_within + diagonal) {
+      near.push_back(i);
     }
   }
+  return near;
 }
 
 void Route::search_piece(const Piece& piece, double x_m, double y_m, Candidate& best) const {
-  const double to_middle = std::hypot(piece.x_m - x_m, piece.y_m - y_m);
-  const double least = to_middle - piece.radius_m;
-  if (least > 0.0 && least * least >= best.squared_m2) {
+  const double to_x = piece.x_m - x_m;
+  const double to_y = piece.y_m - y_m;
+  const double within = best.distance_m + piece.radius_m;
+  if (to_x * to_x + to_y * to_y >= within * within) {
     return;
   }
+  const double squared_before = best.squared_m2;
   for (std::size_t i = piece.first; i < piece.last; ++i) {
     const double dx = points_[i + 1].x_m - points_[i].x_m;
     const double dy = points_[i + 1].y_m - points_[i].y_m;
@@ -181,13 +215,18 @@ void Route::search_piece(const Piece& piece, double x_m, double y_m, Candidate& 
     const double u = std::clamp((px * dx + py * dy) / (dx * dx + dy * dy), 0.0, 1.0);
     const double squared = (px - u * dx) * (px - u * dx) + (py - u * dy) * (py - u * dy);
     if (squared < best.squared_m2) {
-      best = {squared, i, u};
+      best.squared_m2 = squared;
+      best.segment = i;
+      best.share = u;
     }
+  }
+  if (best.squared_m2 < squared_before) {
+    best.distance_m = std::sqrt(best.squared_m2);
   }
 }
 
 Route::Candidate Route::nearest_chord(double x_m, double y_m) const {
-  Candidate best{std::numeric_limits<double>::infinity(), 0, 0.0};
+  Candidate best;
   if (const auto* range = cells_.find_at(x_m, y_m)) {
     for (std::uint32_t k = (*range)[0]; k < (*range)[1]; ++k) {
       search_piece(pieces_[near_[k]], x_m, y_m, best);
@@ -225,7 +264,7 @@ RoutePlace Route::nearest(double x_m, double y_m) const {
       break;
     }
   }
-  if ((p - cubic.place).norm() > std::sqrt(start.squared_m2) + kChordErrorM) {
+  if ((p - cubic.place).norm() > start.distance_m + kChordErrorM) {
     // Around the centre of a bend the search for the foot can leave the nearest branch.
     i = start.segment;
     u = start.share;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -56,7 +57,8 @@ class Route {
     std::uint32_t last = 0;
   };
   struct Candidate {
-    double squared_m2 = 0.0;
+    double distance_m = std::numeric_limits<double>::infinity();
+    double squared_m2 = std::numeric_limits<double>::infinity();
     std::size_t segment = 0;
     double share = 0.0;
   };
@@ -65,6 +67,10 @@ class Route {
   [[nodiscard]] Candidate nearest_chord(double x_m, double y_m) const;
   void search_piece(const Piece& piece, double x_m, double y_m, Candidate& best) const;
   void make_grid();
+  void make_pieces();
+  /// Those of `among` that can be nearest to some place of a cell around (x, y).
+  [[nodiscard]] std::vector<std::uint32_t> pieces_near(const std::vector<std::uint32_t>& among, double x_m, double y_m,
+                                                       double cell_m) const;
 
   std::vector<RoutePoint> points_;
   std::vector<Eigen::Vector2d> tangents_;  ///< of unit length, per point
