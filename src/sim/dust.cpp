@@ -131,7 +131,7 @@ void Dust::pass(const AirBeam& beam, Random& random, AirPath& path) const {
     return;
   }
   path.has_echo = true;
-  path.echo = {range_m, light, std::min(255.0, 100.0 * light * range_m * range_m), true};
+  path.echo = {range_m, light, 100.0 * light * range_m * range_m, true};
 }
 
 }  // namespace berm::sim

@@ -87,7 +87,7 @@ double OpticsConfig::detection_limit() const {
 // The exponent and the ranges were fitted to the flakes of a real recording (docs/simulator.md). Surfaces are to be
 // seen down to the least range, hence the loss ends somewhere.
 double received_light(const OpticsConfig& optics, double reflectivity, double share, double range_m) {
-  constexpr double kMostLoss = 1e3;
+  constexpr double kMostLoss = 1e4;
   const double square = std::max(range_m * range_m, 1e-6);
   const double near = optics.near_field_m * optics.near_field_m / square;
   return reflectivity * share / (square * (1.0 + std::min(near * near * near, kMostLoss)));

@@ -10,7 +10,7 @@ namespace {
 /// Farther away no sensor has been seen to find flakes.
 constexpr double kMaxRange = 100.0;
 constexpr std::size_t kSteps = 2000;
-constexpr std::size_t kQuantiles = 4096;
+constexpr std::size_t kQuantiles = 1024;
 constexpr std::size_t kStepsPerKindTable = 10;
 /// Spread of the logarithm of the reflectivity: crystals that happen to mirror against lumps that scatter.
 constexpr double kLogSpread = 0.8;
@@ -83,16 +83,14 @@ void SnowfallTable::tabulate() {
     KindShares* shares = step % kStepsPerKindTable == 0 ? &kinds_.emplace_back() : nullptr;
     expected_[step + 1] = expected_[step] + per_metre((static_cast<double>(step) + 0.5) * step_m_, shares) * step_m_;
   }
-  ranges_m_.resize(kQuantiles + 1);
+  steps_.resize(kQuantiles + 1);
   std::size_t step = 0;
   for (std::size_t i = 0; i <= kQuantiles; ++i) {
     const double flakes = expected_.back() * static_cast<double>(i) / kQuantiles;
     while (step + 1 < kSteps && expected_[step + 1] <= flakes) {
       ++step;
     }
-    const double in_step = std::max(expected_[step + 1] - expected_[step], 1e-300);
-    const double part = std::clamp((flakes - expected_[step]) / in_step, 0.0, 1.0);
-    ranges_m_[i] = static_cast<float>((static_cast<double>(step) + part) * step_m_);
+    steps_[i] = static_cast<std::uint16_t>(step);
   }
 }
 
@@ -100,11 +98,15 @@ double SnowfallTable::expected(double range_m) const {
   return interpolate(expected_, std::max(range_m, 0.0) / step_m_);
 }
 
+// The inverse of `expected`: the equal parts say between which steps to look.
 double SnowfallTable::range_of(double flakes) const {
-  const double place = flakes / expected_.back() * kQuantiles;
-  const auto index = std::min(static_cast<std::size_t>(place), kQuantiles - 1);
-  const double part = place - static_cast<double>(index);
-  return ranges_m_[index] + part * (ranges_m_[index + 1] - ranges_m_[index]);
+  const auto part = std::min(static_cast<std::size_t>(flakes / expected_.back() * kQuantiles), kQuantiles - 1);
+  const auto first = expected_.begin() + steps_[part] + 1;
+  const auto last = expected_.begin() + steps_[part + 1] + 1;
+  const auto end = std::upper_bound(first, last, flakes);
+  const double from = *(end - 1);
+  const double share = *end > from ? std::clamp((flakes - from) / (*end - from), 0.0, 1.0) : 0.0;
+  return (static_cast<double>(end - 1 - expected_.begin()) + share) * step_m_;
 }
 
 Flake SnowfallTable::draw(double range_m, Random& random) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "berm/sim/random.hpp"
@@ -56,9 +57,9 @@ class SnowfallTable {
   std::array<double, kKinds> reflectivity_;
   std::array<double, kKinds> gain_;  ///< of the share that is covered, by the place in the beam
   double step_m_ = 0.0;
-  std::vector<double> expected_;   ///< at multiples of the step
-  std::vector<float> ranges_m_;    ///< at equal parts of the expected number
-  std::vector<KindShares> kinds_;  ///< cumulative, at every tenth step
+  std::vector<double> expected_;      ///< at multiples of the step
+  std::vector<std::uint16_t> steps_;  ///< where equal parts of the expected number are reached
+  std::vector<KindShares> kinds_;     ///< cumulative, at every tenth step
 };
 
 }  // namespace berm::sim

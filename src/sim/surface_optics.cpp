@@ -8,8 +8,8 @@ namespace {
 
 // In the order of `Surface`: reflectivity, its sigma, relief, mirror.
 constexpr std::array<SurfaceOptics, 13> kOptics = {{
-    {150.0, 4.0, 0.004, 0.0},   // groomed_snow: 150..153 as a Mid-70 reports it (P section 1)
-    {140.0, 10.0, 0.02, 0.0},   // rough_snow
+    {100.0, 1.0, 0.004, 0.0},   // groomed_snow: a Livox reports 150 to 153 (P section 1), which is white on its scale
+    {95.0, 5.0, 0.02, 0.0},     // rough_snow
     {8.0, 3.0, 0.003, 0.02},    // asphalt
     {20.0, 6.0, 0.015, 0.0},    // gravel
     {25.0, 10.0, 0.02, 0.0},    // rock

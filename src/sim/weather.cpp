@@ -87,10 +87,10 @@ double share_left(double depth) {
   return depth < 0.1 ? 1.0 - depth * (1.0 - depth / 2.0 * (1.0 - depth / 3.0)) : std::exp(-depth);
 }
 
-double reported_reflectivity(const Flake& flake, const OpticsConfig& optics, Random& random) {
+double apparent_reflectivity(const Flake& flake, const OpticsConfig& optics, Random& random) {
   const bool mirrors = random.chance(kMirroringFlakes);
   const double glint = mirrors ? kMirroringReflectivity : optics.weak_echo_reflectivity;
-  return std::min(255.0, 100.0 * flake.reflectivity * flake.share + glint * random.exponential());
+  return 100.0 * flake.reflectivity * flake.share + glint * random.exponential() / optics.reflectivity_scale;
 }
 
 /// Range of the nearest flake that is found before the end of the beam, negative if none is: a Poisson process of the
@@ -104,7 +104,7 @@ double nearest_flake_m(const SnowfallTable& table, const FlakeDensity& density, 
   }
   double flakes = -std::log(1.0 - u);
   while (flakes < expected) {
-    const double range_m = table.range_of(flakes / most);
+    const double range_m = std::min(table.range_of(flakes / most), end_m);
     if (random.uniform() * most < density.at(range_m)) {
       return range_m;
     }
@@ -127,7 +127,7 @@ AirPath Weather::along(const AirBeam& beam, Random& random) const {
     if (range_m >= 0.0) {
       const Flake flake = air_->table.draw(range_m, random);
       path.has_echo = true;
-      path.echo = {range_m, flake.light, reported_reflectivity(flake, air_->optics, random), false};
+      path.echo = {range_m, flake.light, apparent_reflectivity(flake, air_->optics, random), false};
       path.transmission *= (1.0 - flake.share) * (1.0 - flake.share);
     }
   }

@@ -45,7 +45,7 @@ struct PatternConfig {
 
   // Rosette. Speeds as fitted to the recording of a Mid-40, docs/simulator.md.
   double field_of_view_deg = 70.4;
-  double prism_hz = -121.5739;
+  double prism_hz = -122.306;
   double prism_ratio = -0.639332;
   double prism_share = 0.5;
 
@@ -104,6 +104,7 @@ struct OpticsConfig {
   double aperture_m = 0.01;
   double divergence_x_mrad = 3.0;
   double divergence_y_mrad = 3.0;
+  double reflectivity_scale = 1.0;
   double weak_echo_reflectivity = 1.0;
   double echo_separation_m = 1.0;
   std::string echo = "strongest";
@@ -123,6 +124,8 @@ struct OpticsConfig {
     field("aperture_m", &OpticsConfig::aperture_m, Range{0.0, 0.5}, "diameter of the beam where it leaves the sensor");
     field("divergence_x_mrad", &OpticsConfig::divergence_x_mrad, Range{0.0, 100.0}, "full width of the beam, across");
     field("divergence_y_mrad", &OpticsConfig::divergence_y_mrad, Range{0.0, 100.0}, "full width of the beam, upwards");
+    field("reflectivity_scale", &OpticsConfig::reflectivity_scale, Range{0.001, 100.0},
+          "what is reported, 0..255, over the reflectivity in percent");
     field("weak_echo_reflectivity", &OpticsConfig::weak_echo_reflectivity, Range{0.0, 50.0},
           "what echoes of next to no reflectivity are reported with, on average");
     field("echo_separation_m", &OpticsConfig::echo_separation_m, Range{0.0, 10.0},

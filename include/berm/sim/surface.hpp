@@ -38,7 +38,7 @@ constexpr std::uint16_t kMovingVehicle = 259;  ///< moving other vehicle
 
 /// How a surface throws light back.
 struct SurfaceOptics {
-  double reflectivity;        ///< as sensors report it: 0..100 diffuse (percent), up to 255 for retro-reflectors
+  double reflectivity;        ///< percent; above 100 for what throws light back to where it came from
   double reflectivity_sigma;  ///< from spot to spot
   double relief_m;            ///< standard deviation of what is too small for the mesh, along the normal
   double mirror;              ///< share of beams that are mirrored away at normal incidence

@@ -58,7 +58,7 @@ struct AirBeam {
 struct AirEcho {
   double range_m = 0.0;
   double light = 0.0;         ///< as `received_light`; at least about the detection limit
-  double reflectivity = 0.0;  ///< 0..255 as the sensor reports it, not rounded
+  double reflectivity = 0.0;  ///< percent, as that of surfaces
   bool dust = false;
 };
 
