@@ -19,6 +19,8 @@ constexpr double kGreatestSpacing = 0.95;
 /// Between heaps the toe recedes; the edge follows it this far.
 constexpr double kMostRecedeM = 0.3;
 constexpr double kBlendM = 5.0;
+/// A road that leaves into the drop or the wall lies on a fill or in a cut with slopes that stand.
+constexpr double kForkBlendM = 22.0;
 
 /// A heap by its place along the run and beyond its edge.
 struct RowHeap {
@@ -122,7 +124,7 @@ Run make_haul_road(const HaulRoadConfig& config, std::vector<RoutePoint> course,
   }
   run.heaps = Buckets<Heap>(std::move(heaps));
   run.route = Route(std::move(course));
-  run.finish(kBlendM);
+  run.finish(seed.run == 0 ? kBlendM : kForkBlendM);
   return run;
 }
 
