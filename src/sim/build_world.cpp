@@ -23,7 +23,6 @@ Route driven_part(const Run& run, double length_m) {
 
 TriangleMesh make_things(const Site& site) {
   TriangleMesh mesh;
-  add_forest(site, mesh);
   add_fences(site, mesh);
   add_poles(site, mesh);
   add_billboards(site, mesh);
@@ -32,6 +31,8 @@ TriangleMesh make_things(const Site& site) {
   add_buildings(site, mesh);
   add_rocks(site, mesh);
   add_parked(site, mesh);
+  // Trees stand where nothing else does.
+  add_forest(site, mesh);
   return mesh;
 }
 

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "buckets.hpp"
 #include "mesh_builder.hpp"
 #include "natural_ground.hpp"
 #include "things.hpp"
@@ -12,6 +14,8 @@ namespace {
 
 /// Trees keep this far from the edges: berms and a strip that is cut clear.
 constexpr double kClearM = 5.0;
+/// And from other things, which also clears a lane under a lift.
+constexpr double kApartM = 1.8;
 /// Glades and thickets, from one to the next.
 constexpr double kGladeWaveM = 110.0;
 /// No tree stands on steeper ground.
@@ -60,6 +64,34 @@ double beyond_edges(const BuiltTerrain& terrain, double x_m, double y_m) {
   return beyond;
 }
 
+/// Ground that something else covers already.
+struct Covered {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double reach_m = 0.0;
+};
+
+Buckets<Covered> find_covered(const TriangleMesh& mesh) {
+  std::vector<Covered> covered;
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector2f a = mesh.vertices_m[triangle[0]].head<2>();
+    const Eigen::Vector2f b = mesh.vertices_m[triangle[1]].head<2>();
+    const Eigen::Vector2f c = mesh.vertices_m[triangle[2]].head<2>();
+    const Eigen::Vector2f middle = (a + b + c) / 3.0F;
+    const double radius = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
+    covered.push_back({middle.x(), middle.y(), radius + kApartM});
+  }
+  return Buckets<Covered>(std::move(covered));
+}
+
+bool is_covered(const Buckets<Covered>& covered, double x_m, double y_m) {
+  bool found = false;
+  covered.visit_at(x_m, y_m, [&](const Covered& item) {
+    found = found || std::hypot(item.x_m - x_m, item.y_m - y_m) < item.reach_m;
+  });
+  return found;
+}
+
 bool is_steep(const BuiltTerrain& terrain, double x_m, double y_m, double height_m) {
   constexpr double kStepM = 1.5;
   const double dx = terrain.at(x_m + kStepM, y_m).height_m - height_m;
@@ -75,6 +107,7 @@ void add_forest(const Site& site, TriangleMesh& mesh) {
     return;
   }
   // A tree per cell, somewhere in it. In glades most are missing, so cells are smaller than the mean.
+  const Buckets<Covered> covered = find_covered(mesh);
   const PlaneNoise glades(site.seed, Purpose::things, 50);
   const double cell = std::sqrt(1e4 / (1.6 * config.trees_per_hectare));
   const Area area = area_around(site.terrain.runs(), config.tree_reach_m);
@@ -90,7 +123,7 @@ void add_forest(const Site& site, TriangleMesh& mesh) {
         continue;
       }
       const double beyond = beyond_edges(site.terrain, x, y);
-      if (beyond < kClearM || beyond > config.tree_reach_m) {
+      if (beyond < kClearM || beyond > config.tree_reach_m || is_covered(covered, x, y)) {
         continue;
       }
       const GroundSample ground = site.terrain.at(x, y);

@@ -41,7 +41,9 @@ void park_beside(const Site& site, const VehicleModel& model, bool on_road, Tria
     Random random = random_of(site, ThingRandom::parked, static_cast<std::uint64_t>(i));
     for (int attempt = 0; attempt < kTries; ++attempt) {
       const double s = random.uniform(0.0, site.plan.route.length_m);
-      const double side = random.chance(0.5) ? 1.0 : -1.0;
+      // The left is kept free for who comes towards.
+      const bool right = random.chance(0.5) || (on_road && site.plan.traffic.oncoming > 0);
+      const double side = right ? -1.0 : 1.0;
       const double wanted = on_road ? -0.5 * model.width_m - 0.8 : 0.5 * model.length_m + random.uniform(1.5, 5.0);
       const double turn = random.chance(0.5) ? 0.0 : std::numbers::pi;
       const double yaw_off = on_road ? random.uniform(-0.06, 0.06) : random.uniform(-0.6, 0.6);

@@ -44,7 +44,7 @@ Mover drive_along(const Site& site, const VehicleModel& model, double s_m, doubl
   Mover mover;
   mover.mesh = model.mesh;
   const double phase = random.uniform(0.0, 2.0 * std::numbers::pi);
-  const double ahead_lane = random.uniform(-0.5, 0.5);
+  const double ahead_lane = random.uniform(-0.8, -0.2);
   double s = s_m;
   double lane = direction > 0.0 ? ahead_lane : oncoming_lane_m(site, model, s);
   for (int i = 0; i * kStepS < kLongestS; ++i) {

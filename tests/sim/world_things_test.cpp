@@ -93,6 +93,58 @@ TEST(WorldThings, StandOnTheGround) {
   }
 }
 
+TEST(WorldThings, NoTreeStandsInAnythingElse) {
+  const World world = world_of("piste", 3);
+  std::vector<Eigen::Vector2f> trunks;
+  std::vector<Eigen::Vector2f> others;
+  for (std::size_t i = 0; i < world.things.triangles.size(); ++i) {
+    const auto& t = world.things.triangles[i];
+    const Eigen::Vector3f middle =
+        (world.things.vertices_m[t[0]] + world.things.vertices_m[t[1]] + world.things.vertices_m[t[2]]) / 3.0F;
+    const Surface surface = world.things.materials[i].surface;
+    if (surface == Surface::bark) {
+      trunks.emplace_back(middle.head<2>());
+    } else if (surface != Surface::foliage) {
+      others.emplace_back(middle.head<2>());
+    }
+  }
+  ASSERT_GT(others.size(), 100U);
+  for (const Eigen::Vector2f& other : others) {
+    for (const Eigen::Vector2f& trunk : trunks) {
+      ASSERT_GT((trunk - other).norm(), 0.8F);
+    }
+  }
+}
+
+TEST(WorldThings, MoversKeepClearOfWhatIsParkedAndOfEachOther) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    WorldPlan plan = plan_of("haul_road");
+    plan.traffic.ahead = 1;
+    plan.traffic.oncoming = 1;
+    plan.traffic.parked = 6;
+    plan.haul_road.rocks_per_km = 0;
+    const World world = build_world(plan, std::nullopt, seed);
+    for (const Mover& mover : world.movers) {
+      for (const StampedPose& pose : mover.T_world_object.poses()) {
+        for (std::size_t i = 0; i < world.things.triangles.size(); ++i) {
+          if (world.things.materials[i].truth_id == truth::kVehicle) {
+            const Eigen::Vector3f& v = world.things.vertices_m[world.things.triangles[i][0]];
+            const Eigen::Vector3d in_mover = pose.T_world_base.inverse() * v.cast<double>();
+            // Half of the width and of the length of a truck.
+            ASSERT_FALSE(std::abs(in_mover.y()) < 3.1 && std::abs(in_mover.x()) < 5.1);
+          }
+        }
+      }
+    }
+    for (const StampedPose& a : world.movers[0].T_world_object.poses()) {
+      for (const StampedPose& b : world.movers[1].T_world_object.poses()) {
+        const Eigen::Vector3d apart = a.T_world_base.inverse() * b.T_world_base.translation_m();
+        ASSERT_FALSE(std::abs(apart.y()) < 6.2 && std::abs(apart.x()) < 4.0);
+      }
+    }
+  }
+}
+
 TEST(WorldThings, CrownsAreClosed) {
   WorldPlan plan = plan_of("piste");
   plan.route.length_m = 60.0;
