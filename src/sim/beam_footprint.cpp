@@ -1,6 +1,7 @@
 #include "beam_footprint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace berm::sim {
@@ -11,6 +12,8 @@ namespace {
 constexpr float kNear_rad = 0.025F;
 /// The same between the rings of a spinning sensor, whose neighbours along the ring are near anyway.
 constexpr float kRingsNear_rad = 0.01F;
+/// More rings than any sensor has.
+constexpr std::size_t kMostRings = 1024;
 /// How far the neighbour may lie off the plane: steps below this melt into one echo in every receiver, ...
 constexpr float kTerrainStep_m = 0.1F;
 /// ... and crowns and vehicles are no planes.
@@ -32,47 +35,58 @@ bool agree(const TracedRay& a, const TracedRay& b) {
 
 class TornFinder {
  public:
-  TornFinder(std::span<const TracedRay> rays, std::vector<std::uint8_t>& torn) : rays_(rays), torn_(torn) {}
+  TornFinder(const OpticsConfig& optics, std::span<const TracedRay> rays, std::vector<std::uint8_t>& torn)
+      : rays_(rays),
+        torn_(torn),
+        reach_rad_(static_cast<float>(0.5e-3 * std::hypot(optics.divergence_x_mrad, optics.divergence_y_mrad))) {}
 
-  void compare(std::size_t i, std::size_t k, float near_rad) {
-    const float chord2 = (rays_[i].direction - rays_[k].direction).squaredNorm();
-    if (chord2 < near_rad * near_rad && !agree(rays_[i], rays_[k])) {
+  /// The beams before and after lie `step` apart.
+  void compare(std::size_t i, std::size_t k, std::size_t step, float near_rad) {
+    if (distance2(i, k) < near_rad * near_rad && !agree(rays_[i], rays_[k])) {
       torn_[i] = 1;
       torn_[k] = 1;
+      for (std::size_t n = i; n >= step && distance2(n - step, i) < reach_rad_ * reach_rad_; n -= step) {
+        torn_[n - step] = 1;
+      }
+      for (std::size_t n = k + step; n < rays_.size() && distance2(n, k) < reach_rad_ * reach_rad_; n += step) {
+        torn_[n] = 1;
+      }
     }
   }
 
  private:
+  [[nodiscard]] float distance2(std::size_t i, std::size_t k) const {
+    return (rays_[i].direction - rays_[k].direction).squaredNorm();
+  }
+
   std::span<const TracedRay> rays_;
   std::vector<std::uint8_t>& torn_;
+  float reach_rad_;
 };
 
 }  // namespace
 
-void find_torn(const Beams& beams, std::size_t lasers, std::span<const TracedRay> rays,
+void find_torn(const Beams& beams, std::size_t lasers, const OpticsConfig& optics, std::span<const TracedRay> rays,
                std::vector<std::uint8_t>& torn) {
   torn.assign(rays.size(), 0);
-  TornFinder finder(rays, torn);
-  if (beams.ring.empty()) {
-    for (std::size_t i = lasers; i < rays.size(); ++i) {
-      finder.compare(i - lasers, i, kNear_rad);
-    }
+  TornFinder finder(optics, rays, torn);
+  // Lasers with rings fire column by column, in an order of their own.
+  const std::size_t rings =
+      beams.ring.empty() ? 0 : std::size_t{*std::max_element(beams.ring.begin(), beams.ring.end())} + 1;
+  const std::size_t step = rings > 0 ? rings : lasers;
+  for (std::size_t i = step; i < rays.size(); ++i) {
+    finder.compare(i - step, i, step, kNear_rad);
+  }
+  std::array<std::size_t, kMostRings> place{};
+  if (rings == 0 || rings > std::min(kMostRings, rays.size())) {
     return;
   }
-  // Lasers fire column by column, in an order of their own.
-  const std::size_t rings = std::size_t{*std::max_element(beams.ring.begin(), beams.ring.end())} + 1;
-  for (std::size_t i = rings; i < rays.size(); ++i) {
-    finder.compare(i - rings, i, kNear_rad);
-  }
-  std::vector<std::size_t> place(rings, rays.size());
-  for (std::size_t i = 0; i < std::min(rings, rays.size()); ++i) {
+  for (std::size_t i = 0; i < rings; ++i) {
     place[beams.ring[i]] = i;
   }
   for (std::size_t column = 0; column + rings <= rays.size(); column += rings) {
     for (std::size_t ring = 1; ring < rings; ++ring) {
-      if (place[ring - 1] < rings && place[ring] < rings) {
-        finder.compare(column + place[ring - 1], column + place[ring], kRingsNear_rad);
-      }
+      finder.compare(column + place[ring - 1], column + place[ring], rays.size(), kRingsNear_rad);
     }
   }
 }
@@ -85,7 +99,7 @@ void spread(const TracedRay& middle, const Eigen::Vector3f& up, const OpticsConf
   Eigen::Vector3f aside = up.cross(forward);
   aside = aside.squaredNorm() > 1e-6F ? aside.normalized() : forward.unitOrthogonal();
   const Eigen::Vector3f upward = forward.cross(aside);
-  // Parts about as wide as high: 8 x 1, 4 x 2, 2 x 4 or 1 x 8.
+  // Parts about as wide as high: 4 x 1, 2 x 2 or 1 x 4.
   std::size_t columns = 1;
   while (columns < rays.size() &&
          width_rad * static_cast<float>(rays.size()) > 2.0F * height_rad * static_cast<float>(columns * columns)) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "beam_random.hpp"
+
 namespace berm::sim {
 namespace {
 
@@ -34,10 +36,13 @@ float roughness_of(Surface surface) {
   return 0.0F;
 }
 
-/// Mean of a cosine of this pitch over a width.
+/// Mean of a cosine of this pitch over a width: the sinc, up to where it has died away.
 float damping(float width_m) {
-  const float x = std::numbers::pi_v<float> * width_m / kCorduroyPitch_m;
-  return x < 1e-3F ? 1.0F : std::sin(x) / x;
+  const float turns = 0.5F * width_m / kCorduroyPitch_m;
+  if (turns < 1e-3F) {
+    return 1.0F;
+  }
+  return sin_turn(turns - std::round(turns)) / (2.0F * std::numbers::pi_v<float> * turns);
 }
 
 float footprint_m(double divergence_mrad, float range_m, const OpticsConfig& optics) {
@@ -85,8 +90,8 @@ float corduroy_m(const Hit& hit, const Eigen::Vector3f& direction, float cosine,
   if (std::max(across_width_m, across_length_m) > 5.0F * kCorduroyPitch_m) {
     return 0.0F;
   }
-  const double phase = hit.across_m / static_cast<double>(kCorduroyPitch_m);
-  const auto ridge = static_cast<float>(std::cos(2.0 * std::numbers::pi * (phase - std::floor(phase))));
+  const double turns = hit.across_m / static_cast<double>(kCorduroyPitch_m);
+  const float ridge = cos_turn(static_cast<float>(turns - std::round(turns)));
   return 0.5F * kCorduroyHeight_m * ridge * damping(across_width_m) * damping(across_length_m);
 }
 

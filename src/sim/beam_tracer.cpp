@@ -45,7 +45,8 @@ void cast_packets(const RayCaster& caster, std::size_t count, float max_range_m,
 void enter_or_leave_crown(TracedRay& ray, Random& random) {
   if (ray.hit.normal.dot(ray.direction) < 0.0F) {
     if (ray.crowns++ == 0) {
-      ray.crown = ray.hit;
+      ray.crown_object = ray.hit.object;
+      ray.crown_triangle = ray.hit.triangle;
       ray.crown_end_m = ray.hit.range_m + static_cast<float>(kCrownDepth_m * random.exponential());
     }
   } else if (ray.crowns > 0 && --ray.crowns == 0) {
@@ -57,10 +58,8 @@ void enter_or_leave_crown(TracedRay& ray, Random& random) {
 bool is_settled(const RayCaster& caster, TracedRay& ray, float max_range_m, Random& random) {
   if (ray.hit.is_nothing()) {
     if (ray.crown_end_m < max_range_m) {
-      ray.hit = ray.crown;
-      ray.hit.range_m = ray.crown_end_m;
       // Needles and leaves look everywhere: as good as facing the beam.
-      ray.hit.normal = -ray.direction;
+      ray.hit = {ray.crown_object, ray.crown_triangle, ray.crown_end_m, -ray.direction};
     }
     return true;
   }

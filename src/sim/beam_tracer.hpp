@@ -22,9 +22,10 @@ struct TracedRay {
   Eigen::Vector3f direction = Eigen::Vector3f::UnitX();
   double time_s = 0.0;
   std::uint32_t beam = 0;
-  float from_m = 0.0F;                                         ///< where the next cast begins
-  RawHit hit;                                                  ///< of the last cast; what it met once it is settled
-  RawHit crown;                                                ///< where it went into a crown
+  float from_m = 0.0F;             ///< where the next cast begins
+  RawHit hit;                      ///< of the last cast; what it met once it is settled
+  std::uint32_t crown_object = 0;  ///< where it went into a crown
+  std::uint32_t crown_triangle = 0;
   float crown_end_m = std::numeric_limits<float>::infinity();  ///< how deep it gets in the crown
   std::uint16_t crowns = 0;                                    ///< in how many at once
   std::uint16_t casts = 0;

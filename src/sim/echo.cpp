@@ -3,6 +3,21 @@
 #include <algorithm>
 
 namespace berm::sim {
+namespace {
+
+/// The label of more than half of the energy comes out ahead, in whatever order the parts come (Boyer and Moore 1981).
+void vote(Echo& whole, const Echo& part) {
+  if (part.label == whole.label) {
+    whole.label_lead += part.label_lead;
+  } else if (part.label_lead > whole.label_lead) {
+    whole.label = part.label;
+    whole.label_lead = part.label_lead - whole.label_lead;
+  } else {
+    whole.label_lead -= part.label_lead;
+  }
+}
+
+}  // namespace
 
 std::size_t melt(std::span<Echo> echoes, float separation_m) {
   if (echoes.size() < 2) {
@@ -29,10 +44,7 @@ std::size_t melt(std::span<Echo> echoes, float separation_m) {
     whole.energy = energy;
     whole.light += part.light;
     whole.spot_sigma += part.spot_sigma;
-    if (part.label_energy > whole.label_energy) {
-      whole.label = part.label;
-      whole.label_energy = part.label_energy;
-    }
+    vote(whole, part);
   }
   return last + 1;
 }

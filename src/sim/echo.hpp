@@ -15,7 +15,7 @@ struct Echo {
   float variance_m2 = 0.0F;  ///< of the range, from the surface
   float spot_sigma = 0.0F;   ///< standard deviation of the energy from spot to spot
   std::uint32_t label = 0;
-  float label_energy = 0.0F;  ///< of the strongest part, whose label this is
+  float label_lead = 0.0F;  ///< energy by which it is ahead of other labels
 };
 
 /// Melts echoes that are nearer to the next than `separation_m` into one at the mean of their ranges, weighted by

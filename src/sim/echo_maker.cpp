@@ -22,11 +22,13 @@ std::uint32_t label_of(const Hit& hit) {
 
 }  // namespace
 
-Return EchoMaker::echo_of(std::span<const TracedRay> rays, double height_m, Random& random) const {
+Return EchoMaker::echo_of(std::span<const TracedRay> rays, double height_m, Random& random,
+                          std::span<Echo> memory) const {
   if (random.chance(optics_.dropout)) {
     return {};
   }
   Echoes echoes;
+  echoes.parts = memory;
   echoes.nearest_m = static_cast<float>(optics_.max_range_m);
   const float share = 1.0F / static_cast<float>(rays.size());
   for (const TracedRay& ray : rays) {
@@ -37,7 +39,7 @@ Return EchoMaker::echo_of(std::span<const TracedRay> rays, double height_m, Rand
   if (!weather_.is_clear()) {
     add_air(rays.front(), height_m, random, echoes);
   }
-  const std::span<Echo> parts(echoes.parts.data(), echoes.count);
+  const std::span<Echo> parts = memory.first(echoes.count);
   const std::size_t left = melt(parts, static_cast<float>(optics_.echo_separation_m));
   const Echo* echo = choose(parts.first(left), random);
   return echo == nullptr ? Return{} : report(*echo, random);
@@ -69,7 +71,7 @@ void EchoMaker::add_surface(const TracedRay& ray, float share, Random& random, E
   echo.variance_m2 = relief_variance_m2(surface, cosine, range_m, optics_);
   echo.spot_sigma = bright * static_cast<float>(surface.reflectivity_sigma);
   echo.label = label_of(hit);
-  echo.label_energy = echo.energy;
+  echo.label_lead = echo.energy;
 }
 
 void EchoMaker::add_air(const TracedRay& ray, double height_m, Random& random, Echoes& echoes) const {
@@ -87,7 +89,7 @@ void EchoMaker::add_air(const TracedRay& ray, double height_m, Random& random, E
     echoes.parts[i].energy *= passes;
     echoes.parts[i].light *= passes;
     echoes.parts[i].spot_sigma *= passes;
-    echoes.parts[i].label_energy *= passes;
+    echoes.parts[i].label_lead *= passes;
   }
   if (air.has_echo && air.echo.range_m >= optics_.min_range_m) {
     Echo& echo = echoes.parts[echoes.count++];
@@ -96,7 +98,7 @@ void EchoMaker::add_air(const TracedRay& ray, double height_m, Random& random, E
     echo.energy = static_cast<float>(air.echo.reflectivity);
     echo.light = static_cast<float>(air.echo.light);
     echo.label = air.echo.dust ? truth::kDust : truth::kFallingSnow;
-    echo.label_energy = echo.energy;
+    echo.label_lead = echo.energy;
   }
 }
 
@@ -105,7 +107,9 @@ const Echo* EchoMaker::choose(std::span<const Echo> echoes, Random& random) cons
   float strongest = 0.0F;
   for (const Echo& echo : echoes) {
     const float signal = echo.light / detection_limit_;
-    if (!random.chance(static_cast<double>(detection_probability(signal)))) {
+    // Echoes of the air are those that the sensor finds.
+    const bool is_air = echo.label == truth::kFallingSnow || echo.label == truth::kDust;
+    if (!is_air && !random.chance(static_cast<double>(detection_probability(signal)))) {
       continue;
     }
     const bool better =
@@ -131,7 +135,8 @@ Return EchoMaker::report(const Echo& echo, Random& random) const {
     return {};
   }
   // Sensors report whole numbers.
-  const float reflectivity = std::round(echo.energy + echo.spot_sigma * normal.second);
+  const auto scale = static_cast<float>(optics_.reflectivity_scale);
+  const float reflectivity = std::round(scale * (echo.energy + echo.spot_sigma * normal.second));
   return {range_m, std::min(std::max(0.0F, reflectivity), kMaxReflectivity), echo.label};
 }
 

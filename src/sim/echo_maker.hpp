@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -29,12 +28,13 @@ class EchoMaker {
         detection_limit_(static_cast<float>(optics.detection_limit())) {}
 
   /// `rays` are settled and share the energy of the beam equally; `height_m` is that of the sensor above the ground.
-  [[nodiscard]] Return echo_of(std::span<const TracedRay> rays, double height_m, Random& random) const;
+  /// `parts` is memory for one echo of every ray and one of the air.
+  [[nodiscard]] Return echo_of(std::span<const TracedRay> rays, double height_m, Random& random,
+                               std::span<Echo> parts) const;
 
  private:
-  /// At most one of every ray and one of the air.
   struct Echoes {
-    std::array<Echo, kFootprintRays + 1> parts;
+    std::span<Echo> parts;
     std::size_t count = 0;
     float nearest_m = 0.0F;  ///< where the first of the rays ends
     bool on_ground = false;  ///< whether that is the terrain

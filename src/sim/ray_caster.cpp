@@ -23,6 +23,10 @@ constexpr std::uint32_t kThingsObject = 1;
 constexpr std::uint32_t kFirstMover = 2;
 constexpr std::size_t kLanes = RayPacket::kSize;
 
+/// One thread builds the trees: which of two triangles a ray along their edge meets must not change from run to run.
+/// Pages of 2 MiB make casting a quarter faster where the system has them.
+constexpr const char* kDevice = "threads=1,hugepages=1";
+
 bool count_memory(void* counter, ssize_t bytes, bool /*done*/) {
   static_cast<std::atomic<std::ptrdiff_t>*>(counter)->fetch_add(bytes);
   return true;
@@ -132,8 +136,7 @@ struct RayCaster::Scene {
 };
 
 RayCaster::Scene::Scene(const World& world, const RayCasterConfig& config)
-    : terrain(world, config), materials(world.things.materials), device(rtcNewDevice("threads=1")) {
-  // One thread builds the trees: which of two triangles a ray along their edge meets must not change from run to run.
+    : terrain(world, config), materials(world.things.materials), device(rtcNewDevice(kDevice)) {
   check_mesh(world.things, "the standing things");
   if (!device) {
     check_device(nullptr);
@@ -289,6 +292,13 @@ Hit RayCaster::describe(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& 
   hit.across_slope = detail.across_slope;
   hit.material = {detail.surface, detail.inside_m > 0.0F ? truth::kDrivable : truth::kTerrain};
   return hit;
+}
+
+void RayCaster::prefetch(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction, const RawHit& hit) const {
+  if (hit.object == kTerrainObject) {
+    const Eigen::Vector2f place_m = origin_m.head<2>() + hit.range_m * direction.head<2>();
+    scene_->terrain.prefetch(static_cast<double>(place_m.x()), static_cast<double>(place_m.y()));
+  }
 }
 
 bool RayCaster::cast(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& direction, double min_range_m,

@@ -1,7 +1,7 @@
 #include "berm/sim/scan_maker.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -16,6 +16,15 @@ namespace {
 
 /// How far below the sensor the ground is looked for.
 constexpr double kHighest_m = 1000.0;
+/// So many beams ahead the samples of the terrain are fetched from memory.
+constexpr std::size_t kAhead = 8;
+
+void resize(PointChannels& points, std::size_t rings, std::size_t size) {
+  for (std::vector<float>* channel : {&points.x, &points.y, &points.z, &points.intensity, &points.time}) {
+    channel->resize(size);
+  }
+  points.ring.resize(rings);
+}
 
 /// Whether most of six rays, one to each side, meet something standing or moving from behind. A house without a floor
 /// counts, a net or a board beside the sensor does not.
@@ -117,7 +126,7 @@ void ScanMaker::cast(const Place& place, ScanScratch::Memory& memory) const {
   const auto max_range_m = static_cast<float>(sensor_.optics.max_range_m);
   cast_all(caster_, memory.rays, max_range_m);
   const int lasers = sensor_.pattern.kind == "swirl" ? sensor_.pattern.fan_lasers : 1;
-  find_torn(memory.beams, static_cast<std::size_t>(lasers), memory.rays, memory.torn);
+  find_torn(memory.beams, static_cast<std::size_t>(lasers), sensor_.optics, memory.rays, memory.torn);
   memory.spread.resize(kFootprintRays *
                        static_cast<std::size_t>(std::count(memory.torn.begin(), memory.torn.end(), 1)));
   std::size_t first = 0;
@@ -137,7 +146,6 @@ void ScanMaker::cast(const Place& place, ScanScratch::Memory& memory) const {
 
 void ScanMaker::make(std::size_t index, MadeScan& scan) const {
   ScanScratch::Memory& memory = *scan.scratch.memory_;
-  const OpticsConfig& optics = sensor_.optics;
   scan.stamp_ns = from_seconds(static_cast<double>(index) / sensor_.pattern.scan_hz);
   pattern_.beams_of_scan(index, memory.beams);
   const Beams& beams = memory.beams;
@@ -151,31 +159,46 @@ void ScanMaker::make(std::size_t index, MadeScan& scan) const {
   const bool over_ground = caster_.cast(place.origin_m, -Eigen::Vector3d::UnitZ(), 0.0, kHighest_m, 0.0, below);
   const double height_m = over_ground ? below.range_m : kHighest_m;
 
-  const EchoMaker maker(caster_, weather_, optics);
   scan.beams = beams.size();
-  scan.points.clear();
-  scan.labels.clear();
+  write(height_m, memory, scan);
+}
+
+void ScanMaker::write(double height_m, ScanScratch::Memory& memory, MadeScan& scan) const {
+  const Beams& beams = memory.beams;
+  const EchoMaker maker(caster_, weather_, sensor_.optics);
+  std::array<Echo, kFootprintRays + 1> echoes;
+  PointChannels& points = scan.points;
+  resize(points, beams.ring.empty() ? 0 : beams.size(), beams.size());
+  scan.labels.resize(beams.size());
   std::size_t first = 0;
+  std::size_t written = 0;
   for (std::size_t beam = 0; beam < beams.size(); ++beam) {
+    if (beam + kAhead < beams.size()) {
+      const TracedRay& ahead = memory.rays[beam + kAhead];
+      caster_.prefetch(ahead.origin_m, ahead.direction, ahead.hit);
+    }
     std::span<const TracedRay> rays(&memory.rays[beam], 1);
     if (memory.torn[beam] != 0) {
       rays = {&memory.spread[first], kFootprintRays};
       first += kFootprintRays;
     }
-    const Return got = maker.echo_of(rays, height_m, memory.randoms[beam]);
-    if (got.range_m <= 0.0F && !optics.keeps_no_returns) {
+    const Return got = maker.echo_of(rays, height_m, memory.randoms[beam], echoes);
+    if (got.range_m <= 0.0F && !sensor_.optics.keeps_no_returns) {
       continue;
     }
-    scan.points.x.push_back(got.range_m * beams.x[beam]);
-    scan.points.y.push_back(got.range_m * beams.y[beam]);
-    scan.points.z.push_back(got.range_m * beams.z[beam]);
-    scan.points.intensity.push_back(got.reflectivity);
-    scan.points.time.push_back(beams.time_s[beam]);
+    points.x[written] = got.range_m * beams.x[beam];
+    points.y[written] = got.range_m * beams.y[beam];
+    points.z[written] = got.range_m * beams.z[beam];
+    points.intensity[written] = got.reflectivity;
+    points.time[written] = beams.time_s[beam];
     if (!beams.ring.empty()) {
-      scan.points.ring.push_back(beams.ring[beam]);
+      points.ring[written] = beams.ring[beam];
     }
-    scan.labels.push_back(got.label);
+    scan.labels[written] = got.label;
+    ++written;
   }
+  resize(points, beams.ring.empty() ? 0 : written, written);
+  scan.labels.resize(written);
 }
 
 void ScanMaker::check_start(const Terrain& terrain) const {

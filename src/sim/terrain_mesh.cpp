@@ -90,6 +90,7 @@ void TerrainMesh::lay_tiles(const World& world, const RayCasterConfig& config) {
                 "to 1000 km");
   }
   cell_m_ = config.fine_cell_m;
+  per_cell_ = 1.0 / cell_m_;
   const double tile_m = cell_m_ * kTileCells;
   // On multiples of the cell: the usual sizes are then exact in float.
   min_x_m_ = std::floor(area.min_x_m / cell_m_) * cell_m_;
@@ -212,24 +213,32 @@ void TerrainMesh::make_quads() {
   }
 }
 
-TerrainDetail TerrainMesh::detail(double x_m, double y_m) const {
-  const double u = std::clamp((x_m - min_x_m_) / cell_m_, 0.0, static_cast<double>(columns_ * kTileCells));
-  const double v = std::clamp((y_m - min_y_m_) / cell_m_, 0.0, static_cast<double>(rows_ * kTileCells));
-  const std::size_t column = std::min(columns_ - 1, static_cast<std::size_t>(u) / kTileCells);
-  const std::size_t row = std::min(rows_ - 1, static_cast<std::size_t>(v) / kTileCells);
+TerrainMesh::Cell TerrainMesh::cell_at(double x_m, double y_m) const {
+  const double u = std::clamp((x_m - min_x_m_) * per_cell_, 0.0, static_cast<double>(columns_ * kTileCells));
+  const double v = std::clamp((y_m - min_y_m_) * per_cell_, 0.0, static_cast<double>(rows_ * kTileCells));
+  const auto column = std::min(static_cast<std::uint32_t>(columns_) - 1, static_cast<std::uint32_t>(u) / kTileCells);
+  const auto row = std::min(static_cast<std::uint32_t>(rows_) - 1, static_cast<std::uint32_t>(v) / kTileCells);
   const Tile& tile = tiles_[row * columns_ + column];
-  const std::size_t cells = cells_of(tile);
-  const double scale = static_cast<double>(cells) / kTileCells;
-  const double in_u = (u - static_cast<double>(column * kTileCells)) * scale;
-  const double in_v = (v - static_cast<double>(row * kTileCells)) * scale;
-  const std::size_t i = std::min(cells - 1, static_cast<std::size_t>(in_u));
-  const std::size_t j = std::min(cells - 1, static_cast<std::size_t>(in_v));
-  const auto share_u = static_cast<float>(in_u - static_cast<double>(i));
-  const auto share_v = static_cast<float>(in_v - static_cast<double>(j));
+  const std::uint32_t cells = cells_of(tile);
+  const float scale = 1.0F / static_cast<float>(1U << tile.level);
+  const float in_u = static_cast<float>(u - static_cast<double>(column * kTileCells)) * scale;
+  const float in_v = static_cast<float>(v - static_cast<double>(row * kTileCells)) * scale;
+  const std::uint32_t i = std::min(cells - 1, static_cast<std::uint32_t>(in_u));
+  const std::uint32_t j = std::min(cells - 1, static_cast<std::uint32_t>(in_v));
   const Sample* lower = &samples_[tile.first_vertex + j * (cells + 1) + i];
-  const Sample* upper = lower + cells + 1;
+  return {lower, lower + cells + 1, in_u - static_cast<float>(i), in_v - static_cast<float>(j), scale};
+}
+
+void TerrainMesh::prefetch(double x_m, double y_m) const {
+  const Cell cell = cell_at(x_m, y_m);
+  __builtin_prefetch(cell.lower);
+  __builtin_prefetch(cell.upper);
+}
+
+TerrainDetail TerrainMesh::detail(double x_m, double y_m) const {
+  const auto [lower, upper, share_u, share_v, scale] = cell_at(x_m, y_m);
   const auto mix = [](float share, float from, float to) { return from + share * (to - from); };
-  const auto cell_m = static_cast<float>(cell_m_ / scale);
+  const float per_m = static_cast<float>(per_cell_) * scale;
   TerrainDetail detail;
   detail.inside_m = mix(share_v, mix(share_u, lower[0].inside_m, lower[1].inside_m),
                         mix(share_u, upper[0].inside_m, upper[1].inside_m));
@@ -237,8 +246,8 @@ TerrainDetail TerrainMesh::detail(double x_m, double y_m) const {
   const float above_m = mix(share_u, upper[0].across_m, upper[1].across_m);
   detail.across_m = mix(share_v, below_m, above_m);
   detail.across_slope = {
-      mix(share_v, lower[1].across_m - lower[0].across_m, upper[1].across_m - upper[0].across_m) / cell_m,
-      (above_m - below_m) / cell_m};
+      mix(share_v, lower[1].across_m - lower[0].across_m, upper[1].across_m - upper[0].across_m) * per_m,
+      (above_m - below_m) * per_m};
   detail.surface = (share_v < 0.5F ? lower : upper)[share_u < 0.5F ? 0 : 1].surface;
   return detail;
 }

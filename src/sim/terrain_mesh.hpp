@@ -33,6 +33,8 @@ class TerrainMesh {
 
   /// Interpolated between the samples of the cell; of the nearest cell outside of the mesh.
   [[nodiscard]] TerrainDetail detail(double x_m, double y_m) const;
+  /// Has the processor fetch what `detail` will need.
+  void prefetch(double x_m, double y_m) const;
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
@@ -47,6 +49,16 @@ class TerrainMesh {
     Surface surface = Surface::rough_snow;
   };
 
+  /// The samples at the lower and upper side of a cell, and where in it a place is.
+  struct Cell {
+    const Sample* lower;
+    const Sample* upper;
+    float share_u;
+    float share_v;
+    float scale;  ///< fine cells over these
+  };
+
+  [[nodiscard]] Cell cell_at(double x_m, double y_m) const;
   [[nodiscard]] std::uint32_t cells_of(const Tile& tile) const { return kTileCells >> tile.level; }
   [[nodiscard]] std::uint32_t level_at(const Route& route, double x_m, double y_m, double fine_width_m) const;
   void lay_tiles(const World& world, const RayCasterConfig& config);
@@ -61,6 +73,7 @@ class TerrainMesh {
   double min_x_m_ = 0.0;
   double min_y_m_ = 0.0;
   double cell_m_ = 0.0;
+  double per_cell_ = 0.0;
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
   std::vector<Tile> tiles_;

@@ -353,17 +353,29 @@ TEST(ScanMaker, ReportsTheRangeInStepsOfTheQuantum) {
   }
 }
 
-/// A near half wall before a far one: the share of the footprint on the near one decides the energy of the mixed echo.
+/// A near wall before the left of a far one, with its edge where the petals of the rosette cross it: the share of the
+/// footprint on the near one decides the energy of the mixed echo.
 World step_world(double near_m, double far_m) {
   World world = wall_world(far_m, Surface::concrete);
   const auto x = static_cast<float>(near_m);
-  add_quad(world.things, {x, 100.0F, 0.0F}, {x, 0.0F, 0.0F}, {x, 0.0F, 200.0F}, {x, 100.0F, 200.0F},
+  add_quad(world.things, {x, 100.0F, 0.0F}, {x, 0.25F * x, 0.0F}, {x, 0.25F * x, 200.0F}, {x, 100.0F, 200.0F},
            {Surface::concrete, truth::kPole});
   return world;
 }
 
+/// How far a beam passes from the edge of `step_world`, in widths of a footprint of 10 mrad; far off up and down, where
+/// petals run along the edge, it is infinite.
+double off_edge(const Beams& beams, std::size_t i) {
+  constexpr double kEdge = 0.25;
+  const double aside = static_cast<double>(beams.y[i]) / static_cast<double>(beams.x[i]);
+  const double up = static_cast<double>(beams.z[i]) / static_cast<double>(beams.x[i]);
+  return std::abs(up) < 0.1 ? (aside - kEdge) / (0.010 * (1.0 + kEdge * kEdge))
+                            : std::numeric_limits<double>::infinity();
+}
+
 TEST(ScanMaker, MixesEchoesOfAnEdgeByTheirEnergy) {
   Sensor sensor = clean_sensor();
+  sensor.pattern.points_per_s = 1e6;
   sensor.optics.divergence_x_mrad = 10.0;
   sensor.optics.divergence_y_mrad = 2.0;
   sensor.optics.echo_separation_m = 3.0;
@@ -372,14 +384,12 @@ TEST(ScanMaker, MixesEchoesOfAnEdgeByTheirEnergy) {
   std::size_t between = 0;
   MadeScan scan;
   Beams beams;
-  for (std::size_t k = 0; k < 20; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     rig.maker.make(k, scan);
     BeamPattern(sensor.pattern).beams_of_scan(k, beams);
     for (std::size_t i = 0; i < scan.labels.size(); ++i) {
-      // Where the middle of the footprint passes the edge, in widths of the footprint there.
-      const double off = static_cast<double>(beams.y[i]) / static_cast<double>(beams.x[i]) / 0.010;
-      const double cosine = static_cast<double>(beams.x[i]);
-      if (cosine < 0.95 || std::abs(off) > 0.6) {
+      const double off = off_edge(beams, i);
+      if (std::abs(off) > 0.6) {
         continue;
       }
       const double on_near = std::clamp(0.5 + off, 0.0, 1.0);
@@ -394,13 +404,14 @@ TEST(ScanMaker, MixesEchoesOfAnEdgeByTheirEnergy) {
   const Statistics off = statistics(residuals);
   ASSERT_GT(off.count, 500.0);
   EXPECT_GT(between, residuals.size() / 3);
-  // Eight rays in as many strips across: off by an eighth of the step over the square root of 12 at most.
-  EXPECT_NEAR(off.mean, 0.0, 0.02);
-  EXPECT_LT(off.sigma, 0.15);
+  // Four rays in as many strips across: off by a quarter of the step at most, and on average by none.
+  EXPECT_NEAR(off.mean, 0.0, 5.0 * off.sigma / std::sqrt(off.count) + 0.01);
+  EXPECT_LT(off.sigma, 0.25);
 }
 
 TEST(ScanMaker, ConservesTheEnergyOfMixedEchoes) {
   Sensor sensor = clean_sensor();
+  sensor.pattern.points_per_s = 1e6;
   sensor.optics.divergence_x_mrad = 10.0;
   sensor.optics.divergence_y_mrad = 2.0;
   const auto edge_intensity = [&](double separation_m) {
@@ -409,11 +420,11 @@ TEST(ScanMaker, ConservesTheEnergyOfMixedEchoes) {
     std::vector<double> values;
     MadeScan scan;
     Beams beams;
-    for (std::size_t k = 0; k < 20; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
       rig.maker.make(k, scan);
       BeamPattern(sensor.pattern).beams_of_scan(k, beams);
       for (std::size_t i = 0; i < scan.labels.size(); ++i) {
-        if (std::abs(beams.y[i]) < 0.005F * beams.x[i] && beams.x[i] > 0.98F) {
+        if (std::abs(off_edge(beams, i)) < 0.5) {
           values.push_back(static_cast<double>(scan.points.intensity[i]));
         }
       }
@@ -429,6 +440,7 @@ TEST(ScanMaker, ConservesTheEnergyOfMixedEchoes) {
 
 TEST(ScanMaker, TakesTheEchoThatTheSensorIsSetTo) {
   Sensor sensor = clean_sensor();
+  sensor.pattern.points_per_s = 1e6;
   sensor.optics.divergence_x_mrad = 10.0;
   sensor.optics.divergence_y_mrad = 2.0;
   const auto near_share = [&](const char* echo) {
@@ -438,11 +450,11 @@ TEST(ScanMaker, TakesTheEchoThatTheSensorIsSetTo) {
     double all = 0.0;
     MadeScan scan;
     Beams beams;
-    for (std::size_t k = 0; k < 10; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
       rig.maker.make(k, scan);
       BeamPattern(sensor.pattern).beams_of_scan(k, beams);
       for (std::size_t i = 0; i < scan.labels.size(); ++i) {
-        if (std::abs(beams.y[i]) < 0.005F * beams.x[i] && beams.x[i] > 0.9F) {
+        if (std::abs(off_edge(beams, i)) < 0.5) {
           all += 1.0;
           near += scan.labels[i] == truth::kPole ? 1.0 : 0.0;
         }
@@ -453,10 +465,11 @@ TEST(ScanMaker, TakesTheEchoThatTheSensorIsSetTo) {
   const double first = near_share("first");
   const double strongest = near_share("strongest");
   const double last = near_share("last");
-  EXPECT_GT(first, 0.85);
-  EXPECT_LT(last, 0.15);
-  // As much light from both where the near one has 1 / (1 + 30^2 / 20^2) of the footprint.
-  EXPECT_NEAR(strongest, 1.0 - 1.0 / 3.25, 0.08);
+  EXPECT_GT(first, 0.8);
+  EXPECT_LT(last, 0.2);
+  // As much light from both where the near one has 1 / (1 + 30^2 / 20^2) of the footprint, which two of the four rays
+  // pass: half of a quarter, and two quarters of all places of the edge.
+  EXPECT_NEAR(strongest, 0.625, 0.06);
 }
 
 TEST(ScanMaker, BeamsEnterCrownsToAnExponentialDepthAndMayPass) {
@@ -560,7 +573,7 @@ TEST(ScanMaker, SnowfallHidesWhatLiesBehind) {
       EXPECT_GT(point(scan, i).norm(), 0.0);
     }
   }
-  EXPECT_GT(flakes, 200U);
+  EXPECT_GT(flakes, 50U);
   EXPECT_GT(walls, 1000U);
 }
 

@@ -85,6 +85,9 @@ class RayCaster {
   /// Only what it is made of, which is cheaper. Not for the terrain.
   [[nodiscard]] Material material_of(const RawHit& hit) const;
 
+  /// Has the processor fetch what `describe` will need.
+  void prefetch(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction, const RawHit& hit) const;
+
   /// Of Embree and of what is kept beside it.
   [[nodiscard]] std::size_t memory_bytes() const;
 
