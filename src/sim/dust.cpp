@@ -40,23 +40,23 @@ struct Crossing {
 
 class Crossings {
  public:
-  Crossings(const std::vector<Plume>& plumes, const std::vector<Eigen::Vector3d>& per_sigma, const AirBeam& beam) {
-    for (std::size_t i = 0; i < plumes.size(); ++i) {
-      const Plume& plume = plumes[i];
+  Crossings(const PlumeTree& tree, const std::vector<Eigen::Vector3d>& per_sigma, const AirBeam& beam) {
+    tree.visit(beam, [&](std::size_t i) {
+      const Plume& plume = tree.plumes()[i];
       const Eigen::Vector3d from = (beam.origin_m - plume.center_m).cwiseProduct(per_sigma[i]);
       const Eigen::Vector3d along = beam.direction.cwiseProduct(per_sigma[i]);
       const double square = along.squaredNorm();
       const double middle_m = -from.dot(along) / square;
       const double miss = from.squaredNorm() - middle_m * middle_m * square;
       if (miss >= kReach * kReach || count_ == kMaxCrossed) {
-        continue;
+        return;
       }
       const double width_m = 1.0 / std::sqrt(square);
       if (middle_m > -kReach * width_m && middle_m < beam.end_m + kReach * width_m) {
         crossings_[count_] = {plume.extinction_per_m * std::exp(-0.5 * miss), middle_m, width_m};
         ++count_;
       }
-    }
+    });
   }
 
   [[nodiscard]] bool is_empty() const { return count_ == 0; }
@@ -100,14 +100,14 @@ class Crossings {
 }  // namespace
 
 Dust::Dust(std::vector<Plume> plumes, const OpticsConfig& optics)
-    : plumes_(std::move(plumes)), optics_(optics), limit_(optics.detection_limit()) {
-  for (const Plume& plume : plumes_) {
+    : tree_(std::move(plumes), kReach), optics_(optics), limit_(optics.detection_limit()) {
+  for (const Plume& plume : tree_.plumes()) {
     per_sigma_.push_back(plume.sigma_m.cwiseMax(kLeastSigma).cwiseInverse());
   }
 }
 
 void Dust::pass(const AirBeam& beam, Random& random, AirPath& path) const {
-  const Crossings crossings(plumes_, per_sigma_, beam);
+  const Crossings crossings(tree_, per_sigma_, beam);
   if (crossings.is_empty()) {
     return;
   }

@@ -320,6 +320,37 @@ TEST(Dust, GivesEchoesWhereItTakesLight) {
   EXPECT_LT(chi_squared(found, expected), 40.0);  // 12 degrees of freedom
 }
 
+// What is lost in many plumes is the product of what is lost in each: none is missed where beams are sorted out.
+TEST(Dust, ManyPlumesTakeWhatEachTakes) {
+  std::vector<Plume> plumes;
+  Random random(4, Purpose::things);
+  for (int i = 0; i < 150; ++i) {
+    Plume one;
+    one.center_m = {random.uniform(-80.0, 80.0), random.uniform(-80.0, 80.0), random.uniform(0.0, 6.0)};
+    one.sigma_m = {random.uniform(0.5, 4.0), random.uniform(0.5, 4.0), random.uniform(0.5, 2.0)};
+    one.extinction_per_m = 0.05;
+    plumes.push_back(one);
+  }
+  const Weather all({}, optics(), plumes, 1);
+  std::vector<Weather> alone;
+  for (const Plume& one : plumes) {
+    alone.emplace_back(SnowfallConfig{}, optics(), std::vector<Plume>{one}, 1);
+  }
+  int dusty = 0;
+  for (int i = 0; i < 300; ++i) {
+    AirBeam beam = level_beam(60.0);
+    const double turn = random.uniform(0.0, 6.28);
+    beam.direction = Eigen::Vector3d(std::cos(turn), std::sin(turn), random.uniform(-0.1, 0.1)).normalized();
+    double product = 1.0;
+    for (const Weather& weather : alone) {
+      product *= pass(weather, beam, i).transmission;
+    }
+    EXPECT_NEAR(pass(all, beam, i).transmission, product, 2e-3);  // plumes end four sigmas away
+    dusty += product < 0.9 ? 1 : 0;
+  }
+  EXPECT_GT(dusty, 100);
+}
+
 TEST(Dust, DoesNotHideFlakesInFrontOfIt) {
   const Weather snow(even_snowfall(800.0), optics(), {}, 1);
   const Weather both(even_snowfall(800.0), optics(), {plume()}, 1);
