@@ -69,6 +69,7 @@ RoadDetails::RoadDetails(const HaulRoadConfig& config, const Run& road, std::uin
   Random random(seed, Purpose::terrain, 300);
   std::vector<RoadPatch> patches;
   const auto count_of = [&](int per_km) { return static_cast<int>(std::lround(per_km * length / 1000.0)); };
+  patches.reserve(static_cast<std::size_t>(count_of(config.potholes_per_km) + count_of(config.puddles_per_km)));
   for (int i = 0; i < count_of(config.potholes_per_km); ++i) {
     patches.push_back(make_pothole(road, length, random));
   }
