@@ -10,6 +10,9 @@
 
 #include "berm/core/error.hpp"
 #include "berm/io/settings.hpp"
+#include "berm/render/image.hpp"
+#include "berm/render/png.hpp"
+#include "berm/sim/photograph.hpp"
 #include "berm/sim/simulate.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -25,6 +28,7 @@ constexpr const char* kExamples = R"(Examples:
   berm sim groomer_snowfall -o recording
   berm sim haul_road -o recording --seed 7 --seconds 60
   berm sim groomer_clear -o recording --sensor vlp16 --set mount.pitch_deg=5 --set vehicle.speed_m_per_s=2
+  berm sim haul_road --picture road.png
   berm sim my_scenario.yaml -o recording --set world.elevation=dem.asc
 
 Writes a sequence folder with its truth: scans/, labels/, times.txt, gnss.tum, truth.tum, edges.csv, terrain.asc,
@@ -38,6 +42,7 @@ struct SimCommand {
   std::vector<std::string> values;
   std::optional<double> seconds;
   bool list = false;
+  std::string picture;
   sim::SimulateOptions options;
 };
 
@@ -100,15 +105,39 @@ int report(const sim::SimulateSummary& summary, const std::string& output, doubl
   return kWhole;
 }
 
+/// A look at the world from where the machine begins.
+void take_picture(const SimCommand& command, const sim::Scenario& scenario) {
+  spdlog::info("building the world");
+  const sim::World world = sim::build_world(scenario, command.options.seed);
+  const sim::RayCaster caster(world, sim::RayCasterConfig{});
+  const sim::Photograph picture =
+      sim::photograph(caster, sim::camera_behind(world, scenario.vehicle.start_m), command.options.threads);
+  Image image(picture.width_px, picture.height_px, Rgb{});
+  auto rgb = picture.rgb.begin();
+  for (int row = 0; row < picture.height_px; ++row) {
+    for (int column = 0; column < picture.width_px; ++column, rgb += 3) {
+      image.set(column, row, {rgb[0], rgb[1], rgb[2]});
+    }
+  }
+  const std::vector<std::byte> png = encode_png(image);
+  write_result(command.picture, {reinterpret_cast<const char*>(png.data()), png.size()});
+}
+
 int execute(SimCommand& command) {
   command.console.start();
   if (command.list) {
     return list_known();
   }
-  if (command.scenario.empty() || command.options.output.empty()) {
-    throw UsageError("expected SCENARIO and -o FOLDER, or --list; see berm sim --help");
+  if (command.scenario.empty() || (command.options.output.empty() && command.picture.empty())) {
+    throw UsageError("expected SCENARIO and -o FOLDER or --picture FILE, or --list; see berm sim --help");
   }
   const sim::Scenario scenario = choose_scenario(command);
+  if (!command.picture.empty()) {
+    take_picture(command, scenario);
+    if (command.options.output.empty()) {
+      return kWhole;
+    }
+  }
   const auto sensor_file = as_usage([&] { return sim::find_sensor(scenario.scenario.sensor, sim::sensor_folders()); });
   const sim::Sensor sensor = sim::read_sensor(sensor_file);
   const auto start = std::chrono::steady_clock::now();
@@ -118,7 +147,9 @@ int execute(SimCommand& command) {
     command.options.on_stage = [](const std::string& stage) { spdlog::info("{}", stage); };
     command.options.on_progress = [&bar](std::size_t done, std::size_t total) { bar.show(done, total); };
     command.options.should_stop = [] { return received_signal() != 0; };
-    return sim::simulate(scenario, sensor, command.options);
+    const auto make = [&] { return sim::simulate(scenario, sensor, command.options); };
+    const bool changed = command.seconds || !command.values.empty() || !command.sensor.empty();
+    return changed ? as_usage(make) : make();
   }();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   return report(summary, command.options.output.string(), elapsed.count());
@@ -136,8 +167,12 @@ void add_sim(CLI::App& app, int& exit_code) {
   sub->add_option("SCENARIO", command->scenario, "A scenario by name (berm sim --list) or a YAML file")
       ->type_name("NAME|FILE");
   sub->add_option("-o,--output", options.output, "Folder for the recording")->type_name("FOLDER");
+  sub->add_option("--picture", command->picture, "Draw the world from behind the machine's start; needs no -o")
+      ->type_name("FILE.png");
   sub->add_flag("--list", command->list, "Print the scenarios that are known by name, and what they show");
-  sub->add_option("--seed", options.seed, "Another number, another world, weather and noise")->capture_default_str();
+  sub->add_option("--seed", options.seed, "Another number, another world, weather and noise")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   sub->add_option("--seconds", command->seconds, "Length of the recording instead of that of the scenario");
   sub->add_option("--sensor", command->sensor, "A sensor by name or a YAML file, instead of that of the scenario")
       ->type_name("NAME|FILE");

@@ -58,11 +58,15 @@ std::vector<std::string> list_settings(const std::vector<std::filesystem::path>&
   return names;
 }
 
+bool is_settings_file(const std::string& name_or_file) {
+  const std::filesystem::path extension = std::filesystem::path(name_or_file).extension();
+  return name_or_file.find('/') != std::string::npos || extension == ".yaml" || extension == ".yml";
+}
+
 std::filesystem::path find_settings(const SettingsKind& kind, const std::string& name_or_file,
                                     const std::vector<std::filesystem::path>& folders) {
-  std::filesystem::path file(name_or_file);
-  if (name_or_file.find('/') != std::string::npos || file.extension() == ".yaml" || file.extension() == ".yml") {
-    return file;
+  if (is_settings_file(name_or_file)) {
+    return name_or_file;
   }
   for (const auto& folder : folders) {
     std::filesystem::path candidate = folder / (name_or_file + ".yaml");

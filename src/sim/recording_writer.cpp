@@ -18,6 +18,7 @@
 #include "berm/io/pcd.hpp"
 #include "berm/io/sensor_sheet.hpp"
 #include "berm/io/settings.hpp"
+#include "berm/io/settings_folders.hpp"
 #include "berm/io/times_file.hpp"
 #include "berm/io/trajectory_file.hpp"
 
@@ -101,6 +102,17 @@ SensorSheet sheet_of(const Scenario& scenario, const Sensor& sensor, std::uint64
   return sheet;
 }
 
+/// The scenario as it can be made again from the folder of the recording.
+Scenario to_be_kept(Scenario scenario) {
+  if (is_settings_file(scenario.scenario.sensor)) {
+    scenario.scenario.sensor = "sensor.yaml";
+  }
+  if (!scenario.world.elevation.empty()) {
+    scenario.world.elevation = std::filesystem::absolute(scenario.world.elevation).string();
+  }
+  return scenario;
+}
+
 }  // namespace
 
 OutputResults recording_results() {
@@ -141,7 +153,7 @@ void RecordingWriter::write_world(const World& world, const Trajectory& driven) 
 
 void RecordingWriter::write_settings(const Scenario& scenario, const Sensor& sensor, std::uint64_t seed,
                                      const World& world) const {
-  write_file_atomically(folder_ / "scenario.yaml", to_yaml(scenario));
+  write_file_atomically(folder_ / "scenario.yaml", to_yaml(to_be_kept(scenario)));
   write_file_atomically(folder_ / "sensor.yaml", to_yaml(sensor));
   write_sensor_sheet(folder_ / "sequence.json", sheet_of(scenario, sensor, seed, world));
 }

@@ -15,11 +15,6 @@ std::vector<std::string> required_keys() {
   return {"scenario.name", "mount.height_m"};
 }
 
-bool is_file_name(const std::string& name_or_file) {
-  const std::filesystem::path path(name_or_file);
-  return name_or_file.find('/') != std::string::npos || path.extension() == ".yaml" || path.extension() == ".yml";
-}
-
 void resolve(std::string& file, const std::filesystem::path& folder) {
   if (!file.empty() && std::filesystem::path(file).is_relative()) {
     file = (folder / file).lexically_normal().string();
@@ -41,7 +36,7 @@ Scenario read_scenario(const std::filesystem::path& file) {
   auto scenario = read_yaml<Scenario>(file, required_keys());
   const std::filesystem::path folder = file.parent_path();
   resolve(scenario.world.elevation, folder);
-  if (is_file_name(scenario.scenario.sensor)) {
+  if (is_settings_file(scenario.scenario.sensor)) {
     resolve(scenario.scenario.sensor, folder);
   }
   return scenario;

@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(All, SimScenariosTest,
                                          Case{"groomer_forks", "groomer"}, Case{"groomer_night_storm", "groomer"},
                                          Case{"haul_road", "haul_truck"}, Case{"haul_road_dust", "haul_truck"},
                                          Case{"flat_road", "car"}, Case{"car_park", "car"}),
-                         [](const auto& info) { return std::string(info.param.scenario); });
+                         [](const auto& example) { return std::string(example.param.scenario); });
 
 }  // namespace
 }  // namespace berm

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -182,6 +183,24 @@ TEST_F(SimulateTest, TheSameBytesForAnyNumberOfThreadsOthersForAnotherSeed) {
   for (const auto& [file, bytes] : one) {
     const bool same_for_all = file == "times.txt" || file == "scenario.yaml" || file == "sensor.yaml";
     EXPECT_EQ(other.at(file) == bytes, same_for_all) << file;
+  }
+}
+
+TEST_F(SimulateTest, InTheSnowyScenariosAsManyBeamsMeetFlakesAsTheySay) {
+  const fs::path root = BERM_SOURCE_FOLDER;
+  for (const auto& [name, share] : {std::pair("groomer_snowfall", 0.05), std::pair("groomer_night_storm", 0.12)}) {
+    Scenario scenario = read_scenario(root / "scenarios" / (std::string(name) + ".yaml"));
+    Sensor sensor = read_sensor(find_sensor(scenario.scenario.sensor, {root / "sensors"}));
+    scenario.scenario.seconds = 10.0;
+    sensor.pattern.scan_hz = 1.0;  // a tenth of the beams, over as much time
+    sensor.pattern.points_per_s = 10'000.0;
+    SimulateOptions options;
+    options.output = folder_ / name;
+    options.threads = 2;
+    const SimulateSummary summary = simulate(scenario, sensor, options);
+    // Gusts of ten metres come and go: 10 s tell no better.
+    const double found = static_cast<double>(summary.in_the_air) / static_cast<double>(summary.beams);
+    EXPECT_NEAR(found / share, 1.0, 0.3) << name;
   }
 }
 

@@ -20,8 +20,11 @@ struct SettingsKind {
 /// Names of the settings in `folders`, sorted, each once.
 [[nodiscard]] std::vector<std::string> list_settings(const std::vector<std::filesystem::path>& folders);
 
-/// The file of settings: `name_or_file` itself if it names a file (it holds a slash or ends in .yaml or .yml), else
-/// the first NAME.yaml in `folders`. Throws ConfigError listing the names that exist.
+/// Whether `name_or_file` names a file: it holds a slash or ends in .yaml or .yml.
+[[nodiscard]] bool is_settings_file(const std::string& name_or_file);
+
+/// The file of settings: `name_or_file` itself if it names a file, else the first NAME.yaml in `folders`. Throws
+/// ConfigError listing the names that exist.
 [[nodiscard]] std::filesystem::path find_settings(const SettingsKind& kind, const std::string& name_or_file,
                                                   const std::vector<std::filesystem::path>& folders);
 
