@@ -59,7 +59,7 @@ class Simulation {
     OutputFolder folder(options_.output, options_.force, recording_results());
     const RecordingWriter writer(folder);
     tell("building the world");
-    const World world = make_world();
+    const World world = build_world(scenario_, options_.seed);
     const Trajectory driven = drive(world, scenario_.vehicle, scenario_.scenario.seconds, options_.seed);
     summary_.driven_m = length_of(driven);
     const RayCaster caster(world, RayCasterConfig{});
@@ -91,14 +91,6 @@ class Simulation {
     if (options_.on_stage) {
       options_.on_stage(stage);
     }
-  }
-
-  [[nodiscard]] World make_world() const {
-    std::optional<HeightRaster> elevation;
-    if (!scenario_.world.elevation.empty()) {
-      elevation = read_height_raster(scenario_.world.elevation);
-    }
-    return build_world(scenario_, elevation, options_.seed);
   }
 
   void make_scans(const ScanMaker& maker, const RecordingWriter& writer) {
@@ -146,6 +138,14 @@ class Simulation {
 };
 
 }  // namespace
+
+World build_world(const Scenario& scenario, std::uint64_t seed) {
+  std::optional<HeightRaster> elevation;
+  if (!scenario.world.elevation.empty()) {
+    elevation = read_height_raster(scenario.world.elevation);
+  }
+  return build_world(scenario, elevation, seed);
+}
 
 SimulateSummary simulate(const Scenario& scenario, const Sensor& sensor, const SimulateOptions& options) {
   return Simulation(scenario, sensor, options).make();

@@ -59,6 +59,7 @@ class ScanMaker {
   /// The rays of the middles of all beams; where the sensor is as the scan begins.
   Place aim(std::size_t index, Stamp stamp_ns, ScanScratch::Memory& memory) const;
   void cast(const Place& place, ScanScratch::Memory& memory) const;
+  void probe_torn(const Place& place, ScanScratch::Memory& memory) const;
   void write(double height_m, ScanScratch::Memory& memory, MadeScan& scan) const;
 
   Sensor sensor_;

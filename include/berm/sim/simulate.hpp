@@ -8,6 +8,7 @@
 
 #include "berm/sim/scenario.hpp"
 #include "berm/sim/sensor.hpp"
+#include "berm/sim/world.hpp"
 
 namespace berm::sim {
 
@@ -34,6 +35,9 @@ struct SimulateSummary {
   double driven_m = 0.0;
   bool interrupted = false;  ///< `should_stop` ended it: sequence.json was not written
 };
+
+/// The world of a scenario, cut into its elevation model if it names one; throws as `simulate` does.
+[[nodiscard]] World build_world(const Scenario& scenario, std::uint64_t seed);
 
 /// Makes a recording of a scenario with `sensor` and writes its sequence folder (docs/formats.md): scans and their true
 /// labels, times, poses of the GNSS/INS and true ones, true edges, the true terrain around the way, the scenario and
