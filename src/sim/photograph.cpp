@@ -17,9 +17,9 @@ constexpr double kSight_m = 1500.0;
 constexpr double kHaze_m = 700.0;
 /// A ray on its way on starts this far behind what it met.
 constexpr double kStep_m = 0.02;
-/// Half the width of the line along the edge of what is drivable, at least, and as an angle.
+/// Half the width of the line along the edge of what is drivable, at least, and in pixels.
 constexpr double kLine_m = 0.06;
-constexpr double kLine_rad = 0.0012;
+constexpr double kLine_px = 1.0;
 constexpr double kTint = 0.22;
 constexpr double kAmbient = 0.42;
 const Vector3d kSun = Vector3d(-0.35, -0.65, 0.62).normalized();
@@ -72,19 +72,22 @@ class Lens {
       : forward_((camera.target_m - camera.eye_m).normalized()),
         right_(forward_.cross(Vector3d::UnitZ()).normalized()),
         up_(right_.cross(forward_)),
-        pixel_(2.0 * std::tan(0.5 * camera.width_rad) / camera.width_px),
+        pixel_rad_(2.0 * std::tan(0.5 * camera.width_rad) / camera.width_px),
         column_(0.5 * (camera.width_px - 1)),
         row_(0.5 * (camera.height_px - 1)) {}
 
   [[nodiscard]] Vector3d direction(int column, int row) const {
-    return (forward_ + (column - column_) * pixel_ * right_ + (row_ - row) * pixel_ * up_).normalized();
+    return (forward_ + (column - column_) * pixel_rad_ * right_ + (row_ - row) * pixel_rad_ * up_).normalized();
   }
+
+  /// What a pixel in the middle spans.
+  [[nodiscard]] double pixel_rad() const { return pixel_rad_; }
 
  private:
   Vector3d forward_;
   Vector3d right_;
   Vector3d up_;
-  double pixel_;
+  double pixel_rad_;
   double column_;
   double row_;
 };
@@ -113,7 +116,7 @@ class Photographer {
   [[nodiscard]] Vector3d lit(const Hit& hit, const Vector3d& place_m) const {
     Vector3d color = color_of(hit.material.surface);
     if (hit.object == 0) {
-      const bool on_line = std::fabs(hit.inside_m) < std::max(kLine_m, kLine_rad * hit.range_m);
+      const bool on_line = std::fabs(hit.inside_m) < std::max(kLine_m, kLine_px * lens_.pixel_rad() * hit.range_m);
       color = on_line ? kEdge : hit.inside_m > 0.0 ? mix(color, kDrivable, kTint) : color;
     }
     const double towards_sun = hit.normal.cast<double>().dot(kSun);
