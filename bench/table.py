@@ -17,10 +17,24 @@ def medians_us(path):
     to_us = {"ns": 1e-3, "us": 1.0, "ms": 1e3}
     times = {}
     for result in results:
-        if result.get("aggregate_name") == "median":
+        if result.get("aggregate_name") == "median" and not result["run_name"].startswith("sim"):
             stage, scan = result["run_name"].split("/")[:2]
             times[stage, scan] = result["cpu_time"] * to_us[result["time_unit"]]
     return times
+
+
+def print_simulator(path):
+    """Beams per second of CPU time on one core, and what the world of 1 km takes."""
+    with open(path, encoding="utf-8") as file:
+        results = json.load(file)["benchmarks"]
+    rows = [("simulator, world of 1 km", "M beams/s", "times real time", "MiB")]
+    for result in results:
+        if result.get("aggregate_name") == "median" and result["run_name"].startswith("sim/"):
+            world, sensor = result["run_name"].split("/")[1:3]
+            rows.append((f"{world}, {sensor}", f"{result['items_per_second'] * 1e-6:.2f}",
+                         f"{result['times_real']:.1f}", f"{result['memory_mib']:.0f}"))
+    if len(rows) > 1:
+        print_rows(rows)
 
 
 def print_rows(rows):
@@ -64,6 +78,8 @@ def main():
         print_ground(times)
         print()
     print_others(times)
+    print()
+    print_simulator(sys.argv[1])
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ constexpr double kStep_m = 0.02;
 /// Half the width of the line along the edge of what is drivable, at least, and in pixels.
 constexpr double kLine_m = 0.06;
 constexpr double kLine_px = 1.0;
-constexpr double kTint = 0.22;
+constexpr double kTint = 0.14;
 constexpr double kAmbient = 0.42;
 const Vector3d kSun = Vector3d(-0.35, -0.65, 0.62).normalized();
 

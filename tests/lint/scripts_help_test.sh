@@ -19,7 +19,7 @@ for script in "$scripts"/*.sh; do
 done
 if [ "$count" -lt 9 ]; then echo "only $count scripts in $scripts" && exit 1; fi
 
-for name in setup build sanitize coverage fuzz lint demo; do
+for name in setup build sanitize coverage fuzz lint demo gallery; do
   code=0
   "$scripts/$name.sh" --no-such-option >/dev/null 2>&1 || code=$?
   if [ "$code" -ne 2 ]; then echo "$name.sh takes an unknown option (exit code $code)" && exit 1; fi
