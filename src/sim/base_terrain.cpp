@@ -16,9 +16,9 @@ std::array<double, 4> spline_weights(double u) {
 }
 
 /// Nearer than this all knots count alike.
-constexpr double kKnotSizeM = 6.0;
+constexpr double kKnotSize_m = 6.0;
 /// Slopes of knots do not go on for ever: the ground levels out at about this distance.
-constexpr double kSlopeReachM = 120.0;
+constexpr double kSlopeReach_m = 120.0;
 
 }  // namespace
 
@@ -69,9 +69,9 @@ double ground_between(const std::vector<GroundKnot>& knots, double x_m, double y
     const double dx = x_m - knot.x_m;
     const double dy = y_m - knot.y_m;
     const double squared = dx * dx + dy * dy;
-    const double near = squared + kKnotSizeM * kKnotSizeM;
+    const double near = squared + kKnotSize_m * kKnotSize_m;
     const double weight = 1.0 / (near * near);
-    const double share = 1.0 / (1.0 + std::sqrt(squared) / kSlopeReachM);
+    const double share = 1.0 / (1.0 + std::sqrt(squared) / kSlopeReach_m);
     sum += weight * (knot.z_m + share * (knot.slope_x * dx + knot.slope_y * dy));
     weights += weight;
   }

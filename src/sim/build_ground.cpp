@@ -20,14 +20,14 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 /// What branches off is this much narrower.
 constexpr double kForkWidthShare = 0.7;
-constexpr double kForkLengthM = 170.0;
-constexpr double kShortestForkM = 60.0;
+constexpr double kForkLength_m = 170.0;
+constexpr double kShortestFork_m = 60.0;
 constexpr int kForkAttempts = 24;
 /// Runs that do not meet stay this far from edge to middle.
-constexpr double kApartM = 22.0;
+constexpr double kApart_m = 22.0;
 /// After a fork has left its run, its gradient turns to one of its own, this much off at most, over this distance.
 constexpr double kForkGradientDeg = 8.0;
-constexpr double kForkEaseM = 60.0;
+constexpr double kForkEase_m = 60.0;
 
 Run make_run(const WorldPlan& plan, std::vector<RoutePoint> course, double share, const RunSeed& seed) {
   if (plan.world.kind == "piste") {
@@ -41,8 +41,8 @@ Run make_run(const WorldPlan& plan, std::vector<RoutePoint> course, double share
 }
 
 double along_slope(const ModelGround& model, const RoutePoint& p) {
-  constexpr double kBaseM = 15.0;
-  return model.slope(p.x_m, p.y_m, kBaseM).dot(Eigen::Vector2d(std::cos(p.heading_rad), std::sin(p.heading_rad)));
+  constexpr double kBase_m = 15.0;
+  return model.slope(p.x_m, p.y_m, kBase_m).dot(Eigen::Vector2d(std::cos(p.heading_rad), std::sin(p.heading_rad)));
 }
 
 /// Heights of a fork: those of its run while it lies on it, then on with its gradient, which changes to `gradient`, or
@@ -55,16 +55,16 @@ void lay_fork_heights(const Run& run, std::vector<RoutePoint>& course, double gr
     const RunPlace place = run.place(course[i].x_m, course[i].y_m);
     if (left_at_s < 0.0 && (place.inside_m > 0.0 || i < 4)) {
       course[i].z_m = run.graded_m(place);
-      slope = i > 0 ? (course[i].z_m - course[i - 1].z_m) / kRouteStepM : 0.0;
+      slope = i > 0 ? (course[i].z_m - course[i - 1].z_m) / kRouteStep_m : 0.0;
       continue;
     }
     left_at_s = left_at_s < 0.0 ? course[i].s_m : left_at_s;
-    const double eased = smooth_step(0.0, kForkEaseM, course[i].s_m - left_at_s);
+    const double eased = smooth_step(0.0, kForkEase_m, course[i].s_m - left_at_s);
     if (model) {
       const double natural = model->heights().at(course[i].x_m, course[i].y_m);
-      gradient = std::clamp((natural - course[i - 1].z_m) / kForkEaseM + along_slope(*model, course[i]), -1.0, 1.0);
+      gradient = std::clamp((natural - course[i - 1].z_m) / kForkEase_m + along_slope(*model, course[i]), -1.0, 1.0);
     }
-    course[i].z_m = course[i - 1].z_m + kRouteStepM * (slope + eased * (gradient - slope));
+    course[i].z_m = course[i - 1].z_m + kRouteStep_m * (slope + eased * (gradient - slope));
   }
 }
 
@@ -74,12 +74,12 @@ std::size_t usable_points(const std::vector<Run>& runs, const std::vector<RouteP
   double farthest = 0.0;
   for (std::size_t i = 0; i < course.size(); ++i) {
     const double inside = runs[0].place(course[i].x_m, course[i].y_m).inside_m;
-    has_left = has_left || inside < -kApartM;
+    has_left = has_left || inside < -kApart_m;
     farthest = std::max(farthest, -inside);
     const bool comes_back = farthest > 1.0 && -inside < farthest - 1.0;
-    bool too_near = (has_left || comes_back) && inside > -kApartM;
+    bool too_near = (has_left || comes_back) && inside > -kApart_m;
     for (std::size_t other = 1; other < runs.size(); ++other) {
-      too_near = too_near || runs[other].place(course[i].x_m, course[i].y_m).inside_m > -kApartM;
+      too_near = too_near || runs[other].place(course[i].x_m, course[i].y_m).inside_m > -kApart_m;
     }
     if (too_near) {
       return i;
@@ -98,12 +98,12 @@ std::vector<RoutePoint> find_fork(const WorldPlan& plan, const std::vector<Run>&
     const bool haul_road = plan.world.kind == "haul_road";
     const double turn = (haul_road ? random.uniform(60.0, 85.0) : random.uniform(30.0, 50.0)) * kDegree;
     std::vector<RoutePoint> course =
-        lay_fork(runs[0].route.at(s), side, turn, plan.route.min_radius_m * 1.05, kForkLengthM);
+        lay_fork(runs[0].route.at(s), side, turn, plan.route.min_radius_m * 1.05, kForkLength_m);
     course.resize(usable_points(runs, course));
     if (course.size() > best.size()) {
       best = std::move(course);
     }
-    if (static_cast<double>(best.size()) > kForkLengthM / kRouteStepM) {
+    if (static_cast<double>(best.size()) > kForkLength_m / kRouteStep_m) {
       break;
     }
   }
@@ -115,7 +115,7 @@ void add_fork(const WorldPlan& plan, std::vector<Run>& runs, std::uint64_t seed,
               const std::optional<ModelGround>& model) {
   Random random(seed, Purpose::route, 10, runs.size());
   std::vector<RoutePoint> course = find_fork(plan, runs, random);
-  if (static_cast<double>(course.size()) * kRouteStepM < kShortestForkM) {
+  if (static_cast<double>(course.size()) * kRouteStep_m < kShortestFork_m) {
     return;
   }
   // Not much steeper than what it leaves: between the two there is to be a slope, not a cliff.
@@ -219,7 +219,7 @@ BuiltGround build_ground(const WorldPlan& plan, const std::optional<HeightRaster
   if (elevation) {
     ground.origin_m = start_on(plan.world, *elevation);
     model.emplace(*elevation, ground.origin_m.x(), ground.origin_m.y(),
-                  plan.route.length_m + kLeadM + plan.world.margin_m);
+                  plan.route.length_m + kLead_m + plan.world.margin_m);
     course = lay_course_on_model(plan.route, *model, greatest_reach_m(plan), seed);
     ground.origin_m.z() = height_at_start(course);
     for (RoutePoint& p : course) {

@@ -12,29 +12,29 @@ namespace berm::sim {
 namespace {
 
 /// Where two runs overlap, the one that a place is deeper inside of decides; this rounds the change.
-constexpr double kMergeM = 2.5;
+constexpr double kMerge_m = 2.5;
 /// A berm ends where another run passes through, over this distance.
-constexpr double kCutM = 1.5;
+constexpr double kCut_m = 1.5;
 /// Beyond the edge the roughness grows over this distance.
-constexpr double kRoughenM = 1.2;
+constexpr double kRoughen_m = 1.2;
 /// Ruts and holes fade towards the edge of their road and where another one takes over.
-constexpr double kDetailFadeM = 1.0;
+constexpr double kDetailFade_m = 1.0;
 /// Nothing of a world lies farther away than this; who asks beyond is given what is there.
-constexpr double kFarM = 1e6;
+constexpr double kFar_m = 1e6;
 
 double tame(double coordinate_m) {
-  return std::isfinite(coordinate_m) ? std::clamp(coordinate_m, -kFarM, kFarM) : 0.0;
+  return std::isfinite(coordinate_m) ? std::clamp(coordinate_m, -kFar_m, kFar_m) : 0.0;
 }
 
 /// Positive, growing with how deep a place lies inside.
 double depth_weight(double inside_m) {
-  const double depth = inside_m >= 0.0 ? inside_m + kMergeM : kMergeM * kMergeM / (kMergeM - inside_m);
+  const double depth = inside_m >= 0.0 ? inside_m + kMerge_m : kMerge_m * kMerge_m / (kMerge_m - inside_m);
   return depth * depth * depth;
 }
 
 RunPlace nowhere() {
   RunPlace place;
-  place.inside_m = -kFarOutsideM;
+  place.inside_m = -kFarOutside_m;
   return place;
 }
 
@@ -49,7 +49,7 @@ BuiltTerrain::BuiltTerrain(std::vector<Run> runs, SmoothRaster natural, const Gr
 }
 
 BuiltTerrain::Blend BuiltTerrain::blend_runs(double x_m, double y_m, Places& places) const {
-  Blend blend{.inside_m = -kFarOutsideM};
+  Blend blend{.inside_m = -kFarOutside_m};
   double weights = 0.0;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     places[i] = i == 0 || runs_[i].reaches(x_m, y_m) ? runs_[i].place(x_m, y_m) : nowhere();
@@ -76,7 +76,7 @@ double BuiltTerrain::detail_share(const Places& places) const {
   for (std::size_t i = 1; i < runs_.size(); ++i) {
     ahead = std::min(ahead, places[0].inside_m - places[i].inside_m);
   }
-  return smooth_step(0.0, kDetailFadeM, ahead);
+  return smooth_step(0.0, kDetailFade_m, ahead);
 }
 
 double BuiltTerrain::natural_m(double x_m, double y_m, double left_m) const {
@@ -96,7 +96,7 @@ double BuiltTerrain::berms_m(double x_m, double y_m, const Places& places) const
     double height = runs_[i].berm_m(places[i], x_m, y_m);
     for (std::size_t other = 0; height > 0.0 && other < runs_.size(); ++other) {
       if (other != i) {
-        height *= smooth_step(0.0, kCutM, -places[other].inside_m);
+        height *= smooth_step(0.0, kCut_m, -places[other].inside_m);
       }
     }
     highest = std::max(highest, height);
@@ -117,7 +117,7 @@ GroundSample BuiltTerrain::at(double x_m, double y_m) const {
     sample.height_m *= blend.influence;
     sample.height_m += (1.0 - blend.influence) * natural_m(x, y, places[0].place.left_m);
   }
-  const double rough = smooth_step(0.0, kRoughenM, -blend.inside_m);
+  const double rough = smooth_step(0.0, kRoughen_m, -blend.inside_m);
   if (rough < 1.0 && style_.inside_sigma_m > 0.0) {
     sample.height_m += (1.0 - rough) * style_.inside_sigma_m * noise_.fractal(x, y, style_.inside_wave_m, 2);
   }

@@ -8,11 +8,11 @@ namespace berm::sim {
 namespace {
 
 /// A vertex counts as on the edge of all runs together up to this distance.
-constexpr double kOnEdgeM = 1e-3;
+constexpr double kOnEdge_m = 1e-3;
 /// Shorter pieces are slivers where two edges cross.
 constexpr std::size_t kFewestVertices = 3;
 /// At the very end of a run the edge turns around it.
-constexpr double kEndM = 5.0;
+constexpr double kEnd_m = 5.0;
 
 void close_line(std::vector<EdgeLine>& edges, EdgeLine& line, const Run& main_run) {
   if (line.vertices_m.size() >= kFewestVertices) {
@@ -35,8 +35,8 @@ std::vector<EdgeLine> find_edges(const BuiltTerrain& terrain) {
       for (const RoutePoint& p : run.route.points()) {
         const Eigen::Vector2d place = beside(p, side > 0.0 ? p.left_m : -p.right_m);
         const GroundSample ground = terrain.at(place.x(), place.y());
-        const bool at_end = p.s_m < first + kEndM || p.s_m > last - kEndM;
-        if (!at_end && std::abs(ground.inside_m) < kOnEdgeM) {
+        const bool at_end = p.s_m < first + kEnd_m || p.s_m > last - kEnd_m;
+        if (!at_end && std::abs(ground.inside_m) < kOnEdge_m) {
           line.vertices_m.emplace_back(place.x(), place.y(), ground.height_m);
         } else {
           close_line(edges, line, terrain.runs()[0]);

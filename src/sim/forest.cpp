@@ -13,11 +13,11 @@ namespace berm::sim {
 namespace {
 
 /// Trees keep this far from the edges: berms and a strip that is cut clear.
-constexpr double kClearM = 5.0;
+constexpr double kClear_m = 5.0;
 /// And from other things, which also clears a lane under a lift.
-constexpr double kApartM = 1.8;
+constexpr double kApart_m = 1.8;
 /// Glades and thickets, from one to the next.
-constexpr double kGladeWaveM = 110.0;
+constexpr double kGladeWave_m = 110.0;
 /// No tree stands on steeper ground.
 constexpr double kMostSlope = 1.0;
 /// Every fifth tree or so is no spruce.
@@ -79,7 +79,7 @@ Buckets<Covered> find_covered(const TriangleMesh& mesh) {
     const Eigen::Vector2f c = mesh.vertices_m[triangle[2]].head<2>();
     const Eigen::Vector2f middle = (a + b + c) / 3.0F;
     const double radius = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
-    covered.push_back({middle.x(), middle.y(), radius + kApartM});
+    covered.push_back({middle.x(), middle.y(), radius + kApart_m});
   }
   return Buckets<Covered>(std::move(covered));
 }
@@ -93,10 +93,10 @@ bool is_covered(const Buckets<Covered>& covered, double x_m, double y_m) {
 }
 
 bool is_steep(const BuiltTerrain& terrain, double x_m, double y_m, double height_m) {
-  constexpr double kStepM = 1.5;
-  const double dx = terrain.at(x_m + kStepM, y_m).height_m - height_m;
-  const double dy = terrain.at(x_m, y_m + kStepM).height_m - height_m;
-  return std::hypot(dx, dy) > kMostSlope * kStepM;
+  constexpr double kStep_m = 1.5;
+  const double dx = terrain.at(x_m + kStep_m, y_m).height_m - height_m;
+  const double dy = terrain.at(x_m, y_m + kStep_m).height_m - height_m;
+  return std::hypot(dx, dy) > kMostSlope * kStep_m;
 }
 
 }  // namespace
@@ -119,11 +119,11 @@ void add_forest(const Site& site, TriangleMesh& mesh) {
       Random random = random_of(site, ThingRandom::forest, row * columns + column);
       const double x = area.min_x_m + cell * (static_cast<double>(column) + random.uniform());
       const double y = area.min_y_m + cell * (static_cast<double>(row) + random.uniform());
-      if (!random.chance(smooth_step(-1.2, 0.6, glades.fractal(x, y, kGladeWaveM, 2)))) {
+      if (!random.chance(smooth_step(-1.2, 0.6, glades.fractal(x, y, kGladeWave_m, 2)))) {
         continue;
       }
       const double beyond = beyond_edges(site.terrain, x, y);
-      if (beyond < kClearM || beyond > config.tree_reach_m || is_covered(covered, x, y)) {
+      if (beyond < kClear_m || beyond > config.tree_reach_m || is_covered(covered, x, y)) {
         continue;
       }
       const GroundSample ground = site.terrain.at(x, y);

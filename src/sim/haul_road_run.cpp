@@ -12,15 +12,15 @@ namespace berm::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kWidthWaveM = 45.0;
+constexpr double kWidthWave_m = 45.0;
 /// Heaps stand this far apart, as a share of the radius of their foot: overlapping, as trucks dump them side by side.
 constexpr double kLeastSpacing = 0.55;
 constexpr double kGreatestSpacing = 0.95;
 /// Between heaps the toe recedes; the edge follows it this far.
-constexpr double kMostRecedeM = 0.3;
-constexpr double kBlendM = 5.0;
+constexpr double kMostRecede_m = 0.3;
+constexpr double kBlend_m = 5.0;
 /// A road that leaves into the drop or the wall lies on a fill or in a cut with slopes that stand.
-constexpr double kForkBlendM = 22.0;
+constexpr double kForkBlend_m = 22.0;
 
 /// A heap by its place along the run and beyond its edge.
 struct RowHeap {
@@ -58,11 +58,11 @@ std::vector<RowHeap> dump_row(const HaulRoadConfig& config, const std::vector<Ro
   const auto gaps = make_gaps(config, course, random_of(seed, RunRandom::gaps, side));
   Random random = random_of(seed, RunRandom::heaps, side);
   const std::vector<double> slow =
-      smooth_random(course.size(), 30.0 / kRouteStepM, random_of(seed, RunRandom::bank, side));
+      smooth_random(course.size(), 30.0 / kRouteStep_m, random_of(seed, RunRandom::bank, side));
   std::vector<RowHeap> row;
   double s = course.front().s_m;
   while (s < course.back().s_m) {
-    const auto i = static_cast<std::size_t>((s - course.front().s_m) / kRouteStepM);
+    const auto i = static_cast<std::size_t>((s - course.front().s_m) / kRouteStep_m);
     const double share = std::clamp(0.5 + 0.25 * slow[i] + random.uniform(-0.3, 0.3), 0.0, 1.0);
     RowHeap heap{};
     heap.height_m = config.min_berm_m + share * (config.max_berm_m - config.min_berm_m);
@@ -80,10 +80,10 @@ std::vector<RowHeap> dump_row(const HaulRoadConfig& config, const std::vector<Ro
 
 /// How far the toe of the row lies beyond the line that it was dumped along.
 std::vector<double> recede_of(const std::vector<RowHeap>& row, const std::vector<RoutePoint>& course) {
-  std::vector<double> recede(course.size(), kMostRecedeM);
+  std::vector<double> recede(course.size(), kMostRecede_m);
   for (const RowHeap& heap : row) {
-    const double from = (heap.s_m - heap.radius_m - course.front().s_m) / kRouteStepM;
-    const double to = (heap.s_m + heap.radius_m - course.front().s_m) / kRouteStepM;
+    const double from = (heap.s_m - heap.radius_m - course.front().s_m) / kRouteStep_m;
+    const double to = (heap.s_m + heap.radius_m - course.front().s_m) / kRouteStep_m;
     const auto last = static_cast<std::size_t>(std::clamp(to, 0.0, static_cast<double>(course.size() - 1)));
     for (auto i = static_cast<std::size_t>(std::max(0.0, std::ceil(from))); i <= last; ++i) {
       const double along = course[i].s_m - heap.s_m;
@@ -100,8 +100,8 @@ Run make_haul_road(const HaulRoadConfig& config, std::vector<RoutePoint> course,
                    const RunSeed& seed) {
   // What the toe recedes adds to the width.
   const double low = std::max(2.0, width_share * config.min_width_m);
-  const double high = std::max(low, width_share * config.max_width_m - 2.0 * kMostRecedeM);
-  set_widths(course, low, high, kWidthWaveM, seed);
+  const double high = std::max(low, width_share * config.max_width_m - 2.0 * kMostRecede_m);
+  set_widths(course, low, high, kWidthWave_m, seed);
   Run run;
   run.cross_fall = make_cross_fall(course, config.cross_fall_deg, seed);
   const double steepest = std::tan(config.min_repose_deg * kDegree);
@@ -124,7 +124,7 @@ Run make_haul_road(const HaulRoadConfig& config, std::vector<RoutePoint> course,
   }
   run.heaps = Buckets<Heap>(std::move(heaps));
   run.route = Route(std::move(course));
-  run.finish(seed.run == 0 ? kBlendM : kForkBlendM);
+  run.finish(seed.run == 0 ? kBlend_m : kForkBlend_m);
   return run;
 }
 

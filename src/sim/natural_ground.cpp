@@ -12,18 +12,18 @@ namespace berm::sim {
 namespace {
 
 /// Knots of the ground along a run.
-constexpr double kKnotEveryM = 6.0;
-constexpr double kSideWaveM = 90.0;
+constexpr double kKnotEvery_m = 6.0;
+constexpr double kSideWave_m = 90.0;
 /// Cells of the ground; larger ones where the world is large.
-constexpr double kLeastCellM = 5.0;
+constexpr double kLeastCell_m = 5.0;
 constexpr double kMostCells = 50000.0;
 
 double cell_for(const Area& area) {
-  return std::max(kLeastCellM, std::sqrt((area.max_x_m - area.min_x_m) * (area.max_y_m - area.min_y_m) / kMostCells));
+  return std::max(kLeastCell_m, std::sqrt((area.max_x_m - area.min_x_m) * (area.max_y_m - area.min_y_m) / kMostCells));
 }
 
 void add_knots(const Run& run, const std::vector<double>& side_slopes, std::vector<GroundKnot>& knots) {
-  const auto every = static_cast<std::size_t>(kKnotEveryM / kRouteStepM);
+  const auto every = static_cast<std::size_t>(kKnotEvery_m / kRouteStep_m);
   const std::vector<RoutePoint>& points = run.route.points();
   for (std::size_t i = 0; i < points.size(); i += every) {
     const double gradient = run.route.gradient(points[i].s_m);
@@ -52,7 +52,7 @@ SmoothRaster make_natural_ground(const WorldConfig& config, const std::vector<Ru
   std::vector<GroundKnot> knots;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     std::vector<double> slopes =
-        smooth_random(runs[i].route.points().size(), kSideWaveM / kRouteStepM, Random(seed, Purpose::terrain, 10, i));
+        smooth_random(runs[i].route.points().size(), kSideWave_m / kRouteStep_m, Random(seed, Purpose::terrain, 10, i));
     const double steepest = std::tan(config.side_slope_deg * std::numbers::pi / 180.0);
     stretch_to(slopes, -steepest, steepest);
     if (i > 0) {
@@ -67,7 +67,7 @@ SmoothRaster make_natural_ground(const WorldConfig& config, const std::vector<Ru
 
 SmoothRaster make_width_raster(const Run& run, const Area& area, bool left) {
   std::vector<GroundKnot> knots;
-  const auto every = static_cast<std::size_t>(kKnotEveryM / kRouteStepM);
+  const auto every = static_cast<std::size_t>(kKnotEvery_m / kRouteStep_m);
   const std::vector<RoutePoint>& points = run.route.points();
   for (std::size_t i = 0; i < points.size(); i += every) {
     knots.push_back({points[i].x_m, points[i].y_m, left ? points[i].left_m : points[i].right_m, 0.0, 0.0});

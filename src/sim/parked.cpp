@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
 /// Room between a machine parked on a road and who drives in its middle (half of the width of a truck, and some).
-constexpr double kPassingM = 4.2;
+constexpr double kPassing_m = 4.2;
 /// A car park: rows of bays at both sides of lanes.
-constexpr double kBayWidthM = 2.7;
-constexpr double kBayLengthM = 5.2;
-constexpr double kLaneM = 7.0;
+constexpr double kBayWidth_m = 2.7;
+constexpr double kBayLength_m = 5.2;
+constexpr double kLane_m = 7.0;
 constexpr int kTries = 40;
 
 /// Frame of a machine on the ground, tilted with it.
@@ -51,7 +51,7 @@ void park_beside(const Site& site, const VehicleModel& model, bool on_road, Tria
       const RoutePoint at = site.main_run().route.at(s);
       const double half = side > 0.0 ? at.left_m : at.right_m;
       const bool fits = on_road
-                            ? half + wanted > kPassingM + 0.5 * model.width_m && place.inside_m > 0.5 * model.width_m
+                            ? half + wanted > kPassing_m + 0.5 * model.width_m && place.inside_m > 0.5 * model.width_m
                             : place.inside_m < -0.5 * model.length_m - 1.0;
       if (fits && !is_taken(taken, place.ground_m.head<2>(), model.length_m + 1.0)) {
         append_mesh(mesh, model.mesh,
@@ -71,12 +71,12 @@ void fill_car_park(const Site& site, TriangleMesh& mesh) {
   };
   std::vector<Bay> bays;
   const double half = 0.5 * site.plan.paved.park_width_m;
-  for (double lane = 0.5 * kLaneM; lane + kBayLengthM < half; lane += 2.0 * kBayLengthM + kLaneM) {
-    for (double s = 5.0; s < site.plan.route.length_m; s += kBayWidthM) {
+  for (double lane = 0.5 * kLane_m; lane + kBayLength_m < half; lane += 2.0 * kBayLength_m + kLane_m) {
+    for (double s = 5.0; s < site.plan.route.length_m; s += kBayWidth_m) {
       for (const double side : {1.0, -1.0}) {
-        bays.push_back({s, side * (lane + 0.5 * kBayLengthM), side});
-        if (lane + 2.0 * kBayLengthM < half) {
-          bays.push_back({s, side * (lane + 1.5 * kBayLengthM), -side});
+        bays.push_back({s, side * (lane + 0.5 * kBayLength_m), side});
+        if (lane + 2.0 * kBayLength_m < half) {
+          bays.push_back({s, side * (lane + 1.5 * kBayLength_m), -side});
         }
       }
     }

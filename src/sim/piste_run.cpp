@@ -12,11 +12,11 @@ namespace berm::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kWidthWaveM = 55.0;
+constexpr double kWidthWave_m = 55.0;
 /// Snow that a blade pushes aside lies in a windrow with this top.
-constexpr double kLeastTopM = 0.2;
-constexpr double kGreatestTopM = 0.9;
-constexpr double kBlendM = 9.0;
+constexpr double kLeastTop_m = 0.2;
+constexpr double kGreatestTop_m = 0.9;
+constexpr double kBlend_m = 9.0;
 
 /// Where `share` of the values lies above.
 double quantile_above(std::vector<double> values, double share) {
@@ -27,9 +27,9 @@ double quantile_above(std::vector<double> values, double share) {
 
 std::vector<double> bank_heights(const PisteConfig& config, std::size_t count, Random& random) {
   const std::vector<double> presence =
-      smooth_random(count, 22.0 / kRouteStepM, Random(random.bits(), Purpose::terrain));
-  const std::vector<double> slow = smooth_random(count, 12.0 / kRouteStepM, Random(random.bits(), Purpose::terrain));
-  const std::vector<double> fast = smooth_random(count, 2.5 / kRouteStepM, Random(random.bits(), Purpose::terrain));
+      smooth_random(count, 22.0 / kRouteStep_m, Random(random.bits(), Purpose::terrain));
+  const std::vector<double> slow = smooth_random(count, 12.0 / kRouteStep_m, Random(random.bits(), Purpose::terrain));
+  const std::vector<double> fast = smooth_random(count, 2.5 / kRouteStep_m, Random(random.bits(), Purpose::terrain));
   const double threshold = quantile_above(presence, config.bank_share);
   std::vector<double> heights(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -47,29 +47,30 @@ RunSide make_side(const PisteConfig& config, const std::vector<RoutePoint>& cour
   RunSide side;
   Random random = random_of(seed, RunRandom::bank, index);
   const double first = course.front().s_m;
-  side.bank_height_m = Profile(first, kRouteStepM, bank_heights(config, course.size(), random));
-  std::vector<double> slopes = smooth_random(course.size(), 6.0 / kRouteStepM, Random(random.bits(), Purpose::terrain));
+  side.bank_height_m = Profile(first, kRouteStep_m, bank_heights(config, course.size(), random));
+  std::vector<double> slopes =
+      smooth_random(course.size(), 6.0 / kRouteStep_m, Random(random.bits(), Purpose::terrain));
   for (double& slope : slopes) {
     slope = std::tan((config.bank_slope_deg + 5.0 * std::tanh(slope)) * kDegree);
   }
-  side.bank_slope = Profile(first, kRouteStepM, std::move(slopes));
-  std::vector<double> tops = smooth_random(course.size(), 9.0 / kRouteStepM, Random(random.bits(), Purpose::terrain));
-  stretch_to(tops, kLeastTopM, kGreatestTopM);
-  side.bank_top_m = Profile(first, kRouteStepM, std::move(tops));
+  side.bank_slope = Profile(first, kRouteStep_m, std::move(slopes));
+  std::vector<double> tops = smooth_random(course.size(), 9.0 / kRouteStep_m, Random(random.bits(), Purpose::terrain));
+  stretch_to(tops, kLeastTop_m, kGreatestTop_m);
+  side.bank_top_m = Profile(first, kRouteStep_m, std::move(tops));
   const double flanks = 2.0 * config.max_bank_m / std::tan((config.bank_slope_deg - 5.0) * kDegree);
-  side.shoulder_m = constant_profile(course, flanks + kGreatestTopM);
+  side.shoulder_m = constant_profile(course, flanks + kGreatestTop_m);
   return side;
 }
 
 }  // namespace
 
 Run make_piste(const PisteConfig& config, std::vector<RoutePoint> course, double width_share, const RunSeed& seed) {
-  set_widths(course, width_share * config.min_width_m, width_share * config.max_width_m, kWidthWaveM, seed);
+  set_widths(course, width_share * config.min_width_m, width_share * config.max_width_m, kWidthWave_m, seed);
   Run run;
   run.cross_fall = make_cross_fall(course, config.cross_fall_deg, seed);
   run.sides = {make_side(config, course, seed, 0), make_side(config, course, seed, 1)};
   run.route = Route(std::move(course));
-  run.finish(kBlendM);
+  run.finish(kBlend_m);
   return run;
 }
 

@@ -7,13 +7,13 @@ namespace berm::sim {
 namespace {
 
 constexpr int kBenches = 2;
-constexpr double kBenchWidthM = 7.0;
+constexpr double kBenchWidth_m = 7.0;
 /// How far rock juts out of a wall, standard deviation, and how wide its blocks are.
-constexpr double kJutM = 0.55;
-constexpr double kBlockM = 5.0;
+constexpr double kJut_m = 0.55;
+constexpr double kBlock_m = 5.0;
 /// The edge of a bench is not straight.
-constexpr double kEdgeWanderM = 1.6;
-constexpr double kEdgeWaveM = 28.0;
+constexpr double kEdgeWander_m = 1.6;
+constexpr double kEdgeWave_m = 28.0;
 
 /// Height of steps of `height_m` with flanks of `slope` and benches between them.
 double stairs_m(double beyond_m, double height_m, double slope) {
@@ -21,7 +21,7 @@ double stairs_m(double beyond_m, double height_m, double slope) {
     return 0.0;
   }
   const double flank = height_m / slope;
-  const double period = flank + kBenchWidthM;
+  const double period = flank + kBenchWidth_m;
   const double step = std::min(std::floor(beyond_m / period), static_cast<double>(kBenches - 1));
   return height_m * (step + std::min(1.0, (beyond_m - step * period) / flank));
 }
@@ -33,12 +33,12 @@ double PitShape::height_m(double x_m, double y_m, double left_m, const PlaneNois
   const double beyond = std::abs(left_m) - (left ? left_width_m : right_width_m).at(x_m, y_m);
   const bool wall = left == (wall_side > 0.0);
   const double from = wall ? wall_from_m : drop_from_m;
-  if (beyond < from - 4.0 * (kEdgeWanderM + kJutM)) {
+  if (beyond < from - 4.0 * (kEdgeWander_m + kJut_m)) {
     return 0.0;
   }
   // Only outwards: the road keeps its berm and its ditch.
-  const double wander = kEdgeWanderM * (1.2 + noise.at(x_m + 313.0, y_m, kEdgeWaveM) * 4.0);
-  const double jut = kJutM * noise.fractal(x_m, y_m + 777.0, kBlockM, 4, 0.55);
+  const double wander = kEdgeWander_m * (1.2 + noise.at(x_m + 313.0, y_m, kEdgeWave_m) * 4.0);
+  const double jut = kJut_m * noise.fractal(x_m, y_m + 777.0, kBlock_m, 4, 0.55);
   if (wall) {
     return stairs_m(beyond - from - std::max(0.0, wander) + jut, wall_height_m, wall_slope);
   }

@@ -11,10 +11,10 @@ namespace berm::sim {
 namespace {
 
 /// Half of the gauge of a haul truck and of the width of its double tyres.
-constexpr double kHalfGaugeM = 2.0;
-constexpr double kRutHalfWidthM = 0.55;
+constexpr double kHalfGauge_m = 2.0;
+constexpr double kRutHalfWidth_m = 0.55;
 /// Puddles keep away from the edge.
-constexpr double kEdgeRoomM = 1.0;
+constexpr double kEdgeRoom_m = 1.0;
 /// A puddle gathers where the road is flattest among this many places.
 constexpr int kPuddleTries = 12;
 /// Steeper roads hold no water.
@@ -43,7 +43,7 @@ bool make_puddle(const Run& road, double length_m, Random& random, RoadPatch& pa
   const Eigen::Vector2d place = beside(at, left);
   const RunPlace run_place = road.place(place.x(), place.y());
   patch = {place.x(), place.y(), 1.4 * radius, 0.0, road.graded_m(run_place) - 0.04, true};
-  return flattest < kMostPuddleGradient && run_place.inside_m > 0.5 * radius + kEdgeRoomM;
+  return flattest < kMostPuddleGradient && run_place.inside_m > 0.5 * radius + kEdgeRoom_m;
 }
 
 /// Puddles that touch would have one level.
@@ -55,7 +55,7 @@ bool touches_puddle(const std::vector<RoadPatch>& patches, const RoadPatch& pudd
 }
 
 double rut_m(double across_m) {
-  const double t = across_m / kRutHalfWidthM;
+  const double t = across_m / kRutHalfWidth_m;
   // A groove with slightly raised rims.
   return std::exp(-t * t) - 0.25 * std::exp(-(std::abs(t) - 1.7) * (std::abs(t) - 1.7) * 3.0);
 }
@@ -65,7 +65,7 @@ double rut_m(double across_m) {
 RoadDetails::RoadDetails(const HaulRoadConfig& config, const Run& road, std::uint64_t seed) {
   const std::vector<RoutePoint>& points = road.route.points();
   const double first = points.front().s_m;
-  const double length = points.back().s_m - kLeadM;
+  const double length = points.back().s_m - kLead_m;
   Random random(seed, Purpose::terrain, 300);
   std::vector<RoadPatch> patches;
   const auto count_of = [&](int per_km) { return static_cast<int>(std::lround(per_km * length / 1000.0)); };
@@ -80,16 +80,16 @@ RoadDetails::RoadDetails(const HaulRoadConfig& config, const Run& road, std::uin
     }
   }
   patches_ = Buckets<RoadPatch>(std::move(patches));
-  std::vector<double> depths = smooth_random(points.size(), 15.0 / kRouteStepM, Random(seed, Purpose::terrain, 301));
+  std::vector<double> depths = smooth_random(points.size(), 15.0 / kRouteStep_m, Random(seed, Purpose::terrain, 301));
   stretch_to(depths, 0.0, config.rut_depth_m);
-  rut_depth_m_ = Profile(first, kRouteStepM, std::move(depths));
-  std::vector<double> lanes = smooth_random(points.size(), 25.0 / kRouteStepM, Random(seed, Purpose::terrain, 302));
+  rut_depth_m_ = Profile(first, kRouteStep_m, std::move(depths));
+  std::vector<double> lanes = smooth_random(points.size(), 25.0 / kRouteStep_m, Random(seed, Purpose::terrain, 302));
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     // Two lanes where there is room for two, else both in the middle.
     const double half = 0.5 * (points[i].left_m + points[i].right_m);
-    lanes[i] = 0.25 * std::tanh(lanes[i]) + std::max(0.0, 0.5 * half - kHalfGaugeM + 0.6);
+    lanes[i] = 0.25 * std::tanh(lanes[i]) + std::max(0.0, 0.5 * half - kHalfGauge_m + 0.6);
   }
-  lane_m_ = Profile(first, kRouteStepM, smoothed(lanes, 10.0));
+  lane_m_ = Profile(first, kRouteStep_m, smoothed(lanes, 10.0));
 }
 
 bool RoadDetails::apply(const RunPlace& at, double x_m, double y_m, double fade, double& height_m) const {
@@ -100,9 +100,9 @@ bool RoadDetails::apply(const RunPlace& at, double x_m, double y_m, double fade,
   const double lane = lane_m_.at(at.place.s_m);
   const double middle = 0.5 * (at.middle.left_m - at.middle.right_m);
   double ruts = 0.0;
-  for (const double track : {lane + kHalfGaugeM, lane - kHalfGaugeM, -lane + kHalfGaugeM, -lane - kHalfGaugeM}) {
+  for (const double track : {lane + kHalfGauge_m, lane - kHalfGauge_m, -lane + kHalfGauge_m, -lane - kHalfGauge_m}) {
     const double across = at.place.left_m - middle - track;
-    if (std::abs(across) < 4.0 * kRutHalfWidthM) {
+    if (std::abs(across) < 4.0 * kRutHalfWidth_m) {
       ruts += rut_m(across);
     }
   }

@@ -12,37 +12,37 @@ namespace berm::sim {
 namespace {
 
 /// How far from any drivable place things stand at least.
-constexpr double kClearM = 0.35;
-constexpr double kFenceBeyondM = 1.6;
-constexpr double kFencePostEveryM = 2.5;
-constexpr double kFenceHeightM = 1.9;
-constexpr double kFenceWaveM = 30.0;
+constexpr double kClear_m = 0.35;
+constexpr double kFenceBeyond_m = 1.6;
+constexpr double kFencePostEvery_m = 2.5;
+constexpr double kFenceHeight_m = 1.9;
+constexpr double kFenceWave_m = 30.0;
 /// Things are put up as far as this before and behind the route.
-constexpr double kAroundM = 60.0;
+constexpr double kAround_m = 60.0;
 
 constexpr Material kPost{Surface::paint, truth::kPole};
 constexpr Material kSteel{Surface::metal, truth::kPole};
 
 double first_s(const Site& site) {
-  return std::max(-kAroundM, site.main_run().route.points().front().s_m);
+  return std::max(-kAround_m, site.main_run().route.points().front().s_m);
 }
 
 double last_s(const Site& site) {
-  return std::min(site.plan.route.length_m + kAroundM, site.main_run().route.points().back().s_m);
+  return std::min(site.plan.route.length_m + kAround_m, site.main_run().route.points().back().s_m);
 }
 
 void add_net(MeshBuilder& builder, const RoadsidePlace& from, const RoadsidePlace& to) {
   const Eigen::Vector3d low(0.0, 0.0, 0.08);
-  const Eigen::Vector3d high(0.0, 0.0, kFenceHeightM - 0.1);
+  const Eigen::Vector3d high(0.0, 0.0, kFenceHeight_m - 0.1);
   builder.set_material({Surface::net, truth::kFence});
   builder.quad(from.ground_m + low, to.ground_m + low, to.ground_m + high, from.ground_m + high);
 }
 
 void add_fence(const Site& site, double side, TriangleMesh& mesh) {
   const double from = first_s(site);
-  const auto count = static_cast<std::size_t>((last_s(site) - from) / kFencePostEveryM);
+  const auto count = static_cast<std::size_t>((last_s(site) - from) / kFencePostEvery_m);
   const std::vector<double> presence =
-      smooth_random(count, kFenceWaveM / kFencePostEveryM, random_of(site, ThingRandom::fences, side > 0.0 ? 0 : 1));
+      smooth_random(count, kFenceWave_m / kFencePostEvery_m, random_of(site, ThingRandom::fences, side > 0.0 ? 0 : 1));
   std::vector<double> sorted = presence;
   std::sort(sorted.begin(), sorted.end());
   const double share = std::clamp(1.0 - site.plan.things.fence_share, 0.0, 1.0);
@@ -51,14 +51,14 @@ void add_fence(const Site& site, double side, TriangleMesh& mesh) {
   MeshBuilder builder(mesh);
   std::optional<RoadsidePlace> before;
   for (std::size_t i = 0; i < count; ++i) {
-    const double s = from + kFencePostEveryM * static_cast<double>(i);
-    const RoadsidePlace place = roadside(site, s, side, kFenceBeyondM);
-    if (presence[i] < threshold || place.inside_m > -kClearM) {
+    const double s = from + kFencePostEvery_m * static_cast<double>(i);
+    const RoadsidePlace place = roadside(site, s, side, kFenceBeyond_m);
+    if (presence[i] < threshold || place.inside_m > -kClear_m) {
       before.reset();
       continue;
     }
     builder.set_material({Surface::metal, truth::kFence});
-    builder.rod(place.ground_m - Eigen::Vector3d(0, 0, 0.3), place.ground_m + Eigen::Vector3d(0, 0, kFenceHeightM),
+    builder.rod(place.ground_m - Eigen::Vector3d(0, 0, 0.3), place.ground_m + Eigen::Vector3d(0, 0, kFenceHeight_m),
                 0.03, 0.03, 6);
     if (before) {
       add_net(builder, *before, place);
@@ -98,7 +98,7 @@ void add_poles(const Site& site, TriangleMesh& mesh) {
   for (double s = first_s(site); s < last_s(site); s += site.plan.things.pole_every_m * random.uniform(0.7, 1.3)) {
     side = -side;
     const RoadsidePlace place = roadside(site, s, side, random.uniform(0.6, 1.1));
-    if (place.inside_m > -kClearM) {
+    if (place.inside_m > -kClear_m) {
       continue;
     }
     builder.set_frame(upright_frame(place.ground_m, 0.0));

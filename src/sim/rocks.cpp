@@ -11,7 +11,7 @@ namespace {
 
 /// On the road they keep out of the way of who drives in the middle.
 constexpr double kOnRoadShare = 0.25;
-constexpr double kMiddleM = 3.0;
+constexpr double kMiddle_m = 3.0;
 
 /// Icosahedron with the golden ratio.
 constexpr double kPhi = 1.618033988749895;
@@ -60,8 +60,8 @@ void add_rocks(const Site& site, TriangleMesh& mesh) {
     const double side = random.chance(0.5) ? 1.0 : -1.0;
     const RoutePoint at = site.main_run().route.at(s);
     const double half = side > 0.0 ? at.left_m : at.right_m;
-    const bool on_road = random.chance(kOnRoadShare) && half > kMiddleM + 0.5;
-    const double beyond = on_road ? -random.uniform(0.2, half - kMiddleM) : random.uniform(0.2, 6.0);
+    const bool on_road = random.chance(kOnRoadShare) && half > kMiddle_m + 0.5;
+    const double beyond = on_road ? -random.uniform(0.2, half - kMiddle_m) : random.uniform(0.2, 6.0);
     // Many small ones, few large ones.
     const double most = on_road ? 0.4 : 1.1;
     const double size = std::min(most, 0.15 + 0.2 * random.exponential());

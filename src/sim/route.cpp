@@ -13,13 +13,13 @@ namespace berm::sim {
 namespace {
 
 constexpr std::size_t kSegmentsPerPiece = 8;
-constexpr double kCellM = 4.0;
-constexpr double kCoarseM = 40.0;
+constexpr double kCell_m = 4.0;
+constexpr double kCoarse_m = 40.0;
 /// Places farther from the line than this are searched without the grid.
-constexpr double kGridMarginM = 180.0;
+constexpr double kGridMargin_m = 180.0;
 constexpr int kNewtonSteps = 4;
 /// A chord is nowhere farther from its arc than this, as long as bends are wider than a few metres.
-constexpr double kChordErrorM = 0.02;
+constexpr double kChordError_m = 0.02;
 
 /// Place and derivatives of the cubic between two points with given tangents, by the share u of the segment.
 struct Cubic {
@@ -134,30 +134,30 @@ void Route::make_grid() {
   }
   make_pieces();
   const auto make_shape = [&](double cell_m) {
-    return GridShape{.origin_x_m = min_x - kGridMarginM,
-                     .origin_y_m = min_y - kGridMarginM,
+    return GridShape{.origin_x_m = min_x - kGridMargin_m,
+                     .origin_y_m = min_y - kGridMargin_m,
                      .cell_m = cell_m,
-                     .columns = static_cast<int>((max_x - min_x + 2.0 * kGridMarginM) / cell_m) + 1,
-                     .rows = static_cast<int>((max_y - min_y + 2.0 * kGridMarginM) / cell_m) + 1};
+                     .columns = static_cast<int>((max_x - min_x + 2.0 * kGridMargin_m) / cell_m) + 1,
+                     .rows = static_cast<int>((max_y - min_y + 2.0 * kGridMargin_m) / cell_m) + 1};
   };
   // Coarse cells first: fine ones then look only at what is near the coarse cell that they lie in.
   std::vector<std::uint32_t> all(pieces_.size());
   std::iota(all.begin(), all.end(), 0U);
-  Grid2D<std::vector<std::uint32_t>> coarse(make_shape(kCoarseM));
+  Grid2D<std::vector<std::uint32_t>> coarse(make_shape(kCoarse_m));
   for (int row = 0; row < coarse.shape().rows; ++row) {
     for (int column = 0; column < coarse.shape().columns; ++column) {
       const GridIndex cell{column, row};
-      *coarse.find(cell) = pieces_near(all, coarse.center_x_m(cell), coarse.center_y_m(cell), kCoarseM);
+      *coarse.find(cell) = pieces_near(all, coarse.center_x_m(cell), coarse.center_y_m(cell), kCoarse_m);
     }
   }
-  cells_ = Grid2D<std::array<std::uint32_t, 2>>(make_shape(kCellM));
+  cells_ = Grid2D<std::array<std::uint32_t, 2>>(make_shape(kCell_m));
   for (int row = 0; row < cells_.shape().rows; ++row) {
     for (int column = 0; column < cells_.shape().columns; ++column) {
       const GridIndex cell{column, row};
       const double x = cells_.center_x_m(cell);
       const double y = cells_.center_y_m(cell);
       const auto* const around = coarse.find_at(x, y);
-      const std::vector<std::uint32_t> near = pieces_near(around != nullptr ? *around : all, x, y, kCellM);
+      const std::vector<std::uint32_t> near = pieces_near(around != nullptr ? *around : all, x, y, kCell_m);
       const auto begin = static_cast<std::uint32_t>(near_.size());
       near_.insert(near_.end(), near.begin(), near.end());
       *cells_.find(cell) = {begin, static_cast<std::uint32_t>(near_.size())};
@@ -264,7 +264,7 @@ RoutePlace Route::nearest(double x_m, double y_m) const {
       break;
     }
   }
-  if ((p - cubic.place).norm() > start.distance_m + kChordErrorM) {
+  if ((p - cubic.place).norm() > start.distance_m + kChordError_m) {
     // Around the centre of a bend the search for the foot can leave the nearest branch.
     i = start.segment;
     u = start.share;

@@ -16,16 +16,16 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kAttempts = 96;
 /// The way looks this far ahead at the slope of the ground, over this base.
-constexpr double kLookAheadM = 12.0;
-constexpr double kSlopeBaseM = 16.0;
+constexpr double kLookAhead_m = 12.0;
+constexpr double kSlopeBase_m = 16.0;
 /// The curvature changes from nothing to that of the sharpest bend over this distance.
-constexpr double kRampM = 14.0;
+constexpr double kRamp_m = 14.0;
 /// Ground flatter than this leads nowhere.
 constexpr double kFlat = 0.02;
 /// Graders cut and fill no more than this.
-constexpr double kMostCutM = 4.0;
+constexpr double kMostCut_m = 4.0;
 /// Heights are smoothed along the way, standard deviation.
-constexpr double kSmoothM = 9.0;
+constexpr double kSmooth_m = 9.0;
 
 double wrapped(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * std::numbers::pi);
@@ -54,15 +54,15 @@ std::vector<double> steer(const RouteConfig& config, const ModelGround& ground, 
   double heading = main_heading_rad;
   for (std::size_t i = 1; i < gradients.size(); ++i) {
     const Eigen::Vector2d slope =
-        ground.slope(x + kLookAheadM * std::cos(heading), y + kLookAheadM * std::sin(heading), kSlopeBaseM);
+        ground.slope(x + kLookAhead_m * std::cos(heading), y + kLookAhead_m * std::sin(heading), kSlopeBase_m);
     const double wanted = std::clamp(heading_for(slope, gradients[i], heading), main_heading_rad - kMaxTurnRad,
                                      main_heading_rad + kMaxTurnRad);
-    const double curvature = std::clamp((wanted - heading) / kLookAheadM, -0.98 * most, 0.98 * most);
-    const double change = most * kRouteStepM / kRampM;
+    const double curvature = std::clamp((wanted - heading) / kLookAhead_m, -0.98 * most, 0.98 * most);
+    const double change = most * kRouteStep_m / kRamp_m;
     curvatures[i] = curvatures[i - 1] + std::clamp(curvature - curvatures[i - 1], -change, change);
-    heading += kRouteStepM * curvatures[i];
-    x += kRouteStepM * std::cos(heading);
-    y += kRouteStepM * std::sin(heading);
+    heading += kRouteStep_m * curvatures[i];
+    x += kRouteStep_m * std::cos(heading);
+    y += kRouteStep_m * std::sin(heading);
   }
   return curvatures;
 }
@@ -90,10 +90,10 @@ double lay_heights(const RouteConfig& config, const ModelGround& ground, std::ve
   for (std::size_t i = 0; i < points.size(); ++i) {
     natural[i] = ground.heights().at(points[i].x_m, points[i].y_m);
   }
-  const std::vector<double> smooth = smoothed(natural, kSmoothM / kRouteStepM);
-  const double low = std::tan(config.min_gradient_deg * kDegree) * kRouteStepM;
-  const double high = std::tan(config.max_gradient_deg * kDegree) * kRouteStepM;
-  const auto zero = static_cast<std::size_t>(std::lround(kLeadM / kRouteStepM));
+  const std::vector<double> smooth = smoothed(natural, kSmooth_m / kRouteStep_m);
+  const double low = std::tan(config.min_gradient_deg * kDegree) * kRouteStep_m;
+  const double high = std::tan(config.max_gradient_deg * kDegree) * kRouteStep_m;
+  const auto zero = static_cast<std::size_t>(std::lround(kLead_m / kRouteStep_m));
   std::vector<double> limited(points.size(), smooth[zero]);
   const auto step_towards = [&](std::size_t from, std::size_t to, double least, double most) {
     // What was cut off earlier is made up for where there is room.
@@ -106,7 +106,7 @@ double lay_heights(const RouteConfig& config, const ModelGround& ground, std::ve
     step_towards(i, i - 1, -high, -low);
   }
   // Smoothing keeps the gradients within the limits, since it averages them.
-  limited = smoothed(limited, 0.5 * kSmoothM / kRouteStepM);
+  limited = smoothed(limited, 0.5 * kSmooth_m / kRouteStep_m);
   double deepest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].z_m = limited[i];
@@ -119,11 +119,11 @@ std::vector<RoutePoint> try_course(const RouteConfig& config, const ModelGround&
                                    int attempt) {
   Random random(seed, Purpose::route, 20, static_cast<std::uint64_t>(attempt));
   const double heading = random.uniform(-std::numbers::pi, std::numbers::pi);
-  const auto lead = static_cast<std::size_t>(std::lround(kLeadM / kRouteStepM));
-  const auto ahead = static_cast<std::size_t>(std::lround((config.length_m + kLeadM) / kRouteStepM)) + 1;
+  const auto lead = static_cast<std::size_t>(std::lround(kLead_m / kRouteStep_m));
+  const auto ahead = static_cast<std::size_t>(std::lround((config.length_m + kLead_m) / kRouteStep_m)) + 1;
   // What it strives for stays off the limits: the ground never does quite as told.
   std::vector<double> gradients =
-      smooth_random(ahead, config.gradient_every_m / kRouteStepM, Random(random.bits(), Purpose::route));
+      smooth_random(ahead, config.gradient_every_m / kRouteStep_m, Random(random.bits(), Purpose::route));
   const double low = std::tan(config.min_gradient_deg * kDegree);
   const double high = std::tan(config.max_gradient_deg * kDegree);
   stretch_to(gradients, low + 0.12 * (high - low), high - 0.12 * (high - low));
@@ -135,7 +135,7 @@ std::vector<RoutePoint> try_course(const RouteConfig& config, const ModelGround&
     curvatures[lead - i] = -backwards[i];
   }
   std::copy(forwards.begin(), forwards.end(), curvatures.begin() + static_cast<std::ptrdiff_t>(lead));
-  return follow_curvatures(curvatures, -kLeadM, heading);
+  return follow_curvatures(curvatures, -kLead_m, heading);
 }
 
 }  // namespace
@@ -157,24 +157,24 @@ std::vector<RoutePoint> lay_course_on_model(const RouteConfig& config, const Mod
       shallowest = cut;
       best = std::move(points);
     }
-    if (shallowest < 0.5 * kMostCutM) {
+    if (shallowest < 0.5 * kMostCut_m) {
       break;
     }
   }
   if (best.empty()) {
     throw Error(ErrorCode::invalid_argument,
                 "elevation model: no route of " + std::to_string(config.length_m) + " m (and " +
-                    std::to_string(kLeadM) +
+                    std::to_string(kLead_m) +
                     " m before and behind it) stays where heights are known; the best leaves " + "them at " +
                     std::to_string(farthest) +
                     " m: shorten route.length_m, or begin elsewhere (world.elevation_x, world.elevation_y)");
   }
-  if (shallowest > kMostCutM) {
+  if (shallowest > kMostCut_m) {
     throw Error(ErrorCode::invalid_argument,
                 "elevation model: no route within the gradients of route.min_gradient_deg " +
                     std::to_string(config.min_gradient_deg) + " and route.max_gradient_deg " +
                     std::to_string(config.max_gradient_deg) + "; the best needs cuts of " + std::to_string(shallowest) +
-                    " m where " + std::to_string(kMostCutM) +
+                    " m where " + std::to_string(kMostCut_m) +
                     " m are allowed: widen the gradients, or begin elsewhere (world.elevation_x, world.elevation_y)");
   }
   return best;

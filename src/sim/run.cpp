@@ -13,9 +13,9 @@ namespace {
 /// line jumps.
 constexpr double kShareOfRadius = 0.92;
 /// Over which a berm ends before the reach of its run does.
-constexpr double kBermFadeM = 1.2;
+constexpr double kBermFade_m = 1.2;
 /// The same at the ends of a run.
-constexpr double kEndFadeM = 4.0;
+constexpr double kEndFade_m = 4.0;
 
 double edge_of(const RoutePoint& p, std::size_t side) {
   return side == 0 ? p.left_m : p.right_m;
@@ -84,7 +84,7 @@ RunPlace Run::place(double x_m, double y_m) const {
   const double last = route.points().back().s_m;
   const double along = std::min(s - first, last - s) - result.place.beyond_m;
   result.inside_m = across < 0.0 && along < 0.0 ? -std::hypot(across, along) : std::min(across, along);
-  result.inside_m = std::max(result.inside_m, -kFarOutsideM);
+  result.inside_m = std::max(result.inside_m, -kFarOutside_m);
 
   const RunSide& side = sides[result.side];
   const double reach = side.reach_m.at(s);
@@ -117,8 +117,8 @@ double Run::berm_m(const RunPlace& at, double x_m, double y_m) const {
   // Stones roll as far as the edge, not onto the road.
   height = std::min(height, beyond_edge);
   const double reach = sides[at.side].reach_m.at(at.place.s_m);
-  return height * smooth_step(0.0, kEndFadeM, to_end) *
-         (1.0 - smooth_step(reach - kBermFadeM, reach, std::abs(at.place.left_m)));
+  return height * smooth_step(0.0, kEndFade_m, to_end) *
+         (1.0 - smooth_step(reach - kBermFade_m, reach, std::abs(at.place.left_m)));
 }
 
 void Run::finish(double blend_m) {
@@ -148,7 +148,7 @@ void Run::finish(double blend_m) {
     box = {std::min(box.min_x_m, p.x_m), std::min(box.min_y_m, p.y_m), std::max(box.max_x_m, p.x_m),
            std::max(box.max_y_m, p.y_m)};
   }
-  const double around = widest + kFarOutsideM;
+  const double around = widest + kFarOutside_m;
   box = {box.min_x_m - around, box.min_y_m - around, box.max_x_m + around, box.max_y_m + around};
 }
 

@@ -34,12 +34,12 @@ struct RunSide {
 struct RunPlace {
   RoutePlace place;
   RoutePoint middle;
-  double inside_m = 0.0;   ///< signed distance to the edge, bounded below by -kFarOutsideM
+  double inside_m = 0.0;   ///< signed distance to the edge, bounded below by -kFarOutside_m
   std::size_t side = 0;    ///< nearer side: 0 left, 1 right
   double influence = 0.0;  ///< 1 where the ground is graded, 0 where it is natural
 };
 
-constexpr double kFarOutsideM = 60.0;
+constexpr double kFarOutside_m = 60.0;
 
 /// A piste or road around a line: its graded surface, edges and berms. Thread-safe.
 struct Run {

@@ -10,14 +10,14 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kFallWaveM = 60.0;
-constexpr double kOneSidedWaveM = 90.0;
+constexpr double kFallWave_m = 60.0;
+constexpr double kOneSidedWave_m = 90.0;
 
 /// Stretches what lies on the route to the limits and cuts the rest at them.
 void stretch_on_route(const std::vector<RoutePoint>& course, std::vector<double>& values, double low, double high) {
   std::vector<double> on_route;
   for (std::size_t i = 0; i < course.size(); ++i) {
-    if (course[i].s_m >= 0.0 && course[i].s_m <= course.back().s_m - kLeadM) {
+    if (course[i].s_m >= 0.0 && course[i].s_m <= course.back().s_m - kLead_m) {
       on_route.push_back(values[i]);
     }
   }
@@ -39,10 +39,10 @@ Random random_of(const RunSeed& seed, RunRandom what, std::uint64_t side) {
 }
 
 void set_widths(std::vector<RoutePoint>& course, double low_m, double high_m, double wave_m, const RunSeed& seed) {
-  std::vector<double> widths = smooth_random(course.size(), wave_m / kRouteStepM, random_of(seed, RunRandom::width));
+  std::vector<double> widths = smooth_random(course.size(), wave_m / kRouteStep_m, random_of(seed, RunRandom::width));
   stretch_on_route(course, widths, low_m, high_m);
   const std::vector<double> shifts =
-      smooth_random(course.size(), kOneSidedWaveM / kRouteStepM, random_of(seed, RunRandom::one_sidedness));
+      smooth_random(course.size(), kOneSidedWave_m / kRouteStep_m, random_of(seed, RunRandom::one_sidedness));
   for (std::size_t i = 0; i < course.size(); ++i) {
     const double most = kMostOneSided - 0.5;
     const double share = 0.5 + most * std::tanh(shifts[i]);
@@ -53,10 +53,10 @@ void set_widths(std::vector<RoutePoint>& course, double low_m, double high_m, do
 
 Profile make_cross_fall(const std::vector<RoutePoint>& course, double limit_deg, const RunSeed& seed) {
   std::vector<double> falls =
-      smooth_random(course.size(), kFallWaveM / kRouteStepM, random_of(seed, RunRandom::cross_fall));
+      smooth_random(course.size(), kFallWave_m / kRouteStep_m, random_of(seed, RunRandom::cross_fall));
   const double limit = std::tan(limit_deg * std::numbers::pi / 180.0);
   stretch_on_route(course, falls, -limit, limit);
-  return {course.front().s_m, kRouteStepM, std::move(falls)};
+  return {course.front().s_m, kRouteStep_m, std::move(falls)};
 }
 
 Profile constant_profile(const std::vector<RoutePoint>& course, double value) {

@@ -9,12 +9,12 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kPylonEveryM = 55.0;
-constexpr double kPylonHeightM = 11.0;
+constexpr double kPylonEvery_m = 55.0;
+constexpr double kPylonHeight_m = 11.0;
 /// Ropes keep this far above the ground.
-constexpr double kClearanceM = 7.0;
-constexpr double kHalfCrossbarM = 2.6;
-constexpr double kRopeRadiusM = 0.025;
+constexpr double kClearance_m = 7.0;
+constexpr double kHalfCrossbar_m = 2.6;
+constexpr double kRopeRadius_m = 0.025;
 constexpr int kRopePieces = 6;
 /// Share of the span that a rope sags.
 constexpr double kSag = 0.02;
@@ -38,7 +38,7 @@ void clear_ground(const Terrain& terrain, std::vector<Pylon>& pylons) {
     double missing = 0.0;
     for (double t = 0.05; t < 1.0; t += 0.05) {
       const Eigen::Vector3d rope = rope_at(pylons[i - 1], pylons[i], t);
-      missing = std::max(missing, terrain.at(rope.x(), rope.y()).height_m + kClearanceM - rope.z());
+      missing = std::max(missing, terrain.at(rope.x(), rope.y()).height_m + kClearance_m - rope.z());
     }
     pylons[i - 1].height_m += missing;
     pylons[i].height_m += missing;
@@ -52,8 +52,8 @@ void add_pylon(MeshBuilder& builder, const Pylon& pylon, double yaw_rad) {
   builder.box({-0.9, -0.9, -1.5}, {0.9, 0.9, 0.4});
   builder.set_material(kSteel);
   builder.rod({0, 0, 0.3}, {0, 0, top}, 0.45, 0.28, 12);
-  builder.box({-0.2, -kHalfCrossbarM, top - 0.5}, {0.2, kHalfCrossbarM, top - 0.2});
-  for (const double y : {-kHalfCrossbarM, kHalfCrossbarM}) {
+  builder.box({-0.2, -kHalfCrossbar_m, top - 0.5}, {0.2, kHalfCrossbar_m, top - 0.2});
+  for (const double y : {-kHalfCrossbar_m, kHalfCrossbar_m}) {
     builder.box({-1.2, y - 0.12, top - 0.25}, {1.2, y + 0.12, top});
   }
 }
@@ -61,11 +61,11 @@ void add_pylon(MeshBuilder& builder, const Pylon& pylon, double yaw_rad) {
 void add_ropes(MeshBuilder& builder, const Pylon& from, const Pylon& to, double yaw_rad) {
   builder.set_frame(Eigen::Isometry3d::Identity());
   builder.set_material(kSteel);
-  for (const double y : {-kHalfCrossbarM, kHalfCrossbarM}) {
+  for (const double y : {-kHalfCrossbar_m, kHalfCrossbar_m}) {
     const Eigen::Vector3d aside(-y * std::sin(yaw_rad), y * std::cos(yaw_rad), 0.0);
     for (int i = 0; i < kRopePieces; ++i) {
       builder.rod(rope_at(from, to, static_cast<double>(i) / kRopePieces) + aside,
-                  rope_at(from, to, static_cast<double>(i + 1) / kRopePieces) + aside, kRopeRadiusM, kRopeRadiusM, 4);
+                  rope_at(from, to, static_cast<double>(i + 1) / kRopePieces) + aside, kRopeRadius_m, kRopeRadius_m, 4);
     }
   }
 }
@@ -106,7 +106,7 @@ void add_lift(const Site& site, TriangleMesh& mesh) {
   const Eigen::Vector3d from = roadside(site, -40.0, side, beyond).ground_m;
   const Eigen::Vector3d to = roadside(site, site.plan.route.length_m + 40.0, side, beyond).ground_m;
   const double yaw = std::atan2(to.y() - from.y(), to.x() - from.x());
-  const int spans = std::max(1, static_cast<int>(std::hypot(to.x() - from.x(), to.y() - from.y()) / kPylonEveryM));
+  const int spans = std::max(1, static_cast<int>(std::hypot(to.x() - from.x(), to.y() - from.y()) / kPylonEvery_m));
   MeshBuilder builder(mesh);
   std::vector<Pylon> pylons;
   for (int i = 0; i <= spans; ++i) {
@@ -115,7 +115,7 @@ void add_lift(const Site& site, TriangleMesh& mesh) {
     if (ground.inside_m > -2.5) {
       continue;
     }
-    pylons.push_back({{place.x(), place.y(), ground.height_m}, kPylonHeightM});
+    pylons.push_back({{place.x(), place.y(), ground.height_m}, kPylonHeight_m});
   }
   clear_ground(site.terrain, pylons);
   for (std::size_t i = 0; i < pylons.size(); ++i) {

@@ -15,14 +15,14 @@ constexpr double kStepS = 0.1;
 /// Nobody simulates longer than this with traffic that still moves.
 constexpr double kLongestS = 1200.0;
 /// Room beside who drives in the middle: half of a wide machine, and some.
-constexpr double kPassingM = 3.4;
-constexpr double kToEdgeM = 0.5;
+constexpr double kPassing_m = 3.4;
+constexpr double kToEdge_m = 0.5;
 /// From one moving machine to the next.
-constexpr double kFollowM = 70.0;
+constexpr double kFollow_m = 70.0;
 /// An oncoming machine looks for a stretch of this length that is wide enough.
-constexpr double kRoomM = 80.0;
+constexpr double kRoom_m = 80.0;
 /// Beyond the ends of the route they drive this far.
-constexpr double kBeyondM = 80.0;
+constexpr double kBeyond_m = 80.0;
 constexpr double kSpeedChange = 0.12;
 
 VehicleModel model_for(const Site& site) {
@@ -34,8 +34,8 @@ VehicleModel model_for(const Site& site) {
 
 /// How far left of the middle an oncoming machine keeps; negative where it cannot pass.
 double oncoming_lane_m(const Site& site, const VehicleModel& model, double s_m) {
-  const double most = site.main_run().route.at(s_m).left_m - kToEdgeM - 0.5 * model.width_m;
-  const double least = (site.is("haul_road") || site.is("piste") ? kPassingM : 1.4) + 0.5 * model.width_m;
+  const double most = site.main_run().route.at(s_m).left_m - kToEdge_m - 0.5 * model.width_m;
+  const double least = (site.is("haul_road") || site.is("piste") ? kPassing_m : 1.4) + 0.5 * model.width_m;
   return most < least ? -1.0 : std::min(most, least + 1.5);
 }
 
@@ -63,7 +63,7 @@ Mover drive_along(const Site& site, const VehicleModel& model, double s_m, doubl
                                 stand_on(site.terrain, beside(at, lane), yaw, model.length_m, model.width_m));
     const double speed = site.plan.traffic.speed_m_per_s * (1.0 + kSpeedChange * std::sin(phase + 0.35 * time_s));
     s += direction * speed * kStepS;
-    if (s < -kBeyondM || s > site.plan.route.length_m + kBeyondM) {
+    if (s < -kBeyond_m || s > site.plan.route.length_m + kBeyond_m) {
       break;
     }
   }
@@ -76,7 +76,7 @@ double find_room(const Site& site, const VehicleModel& model, double s_m) {
   double longest = 0.0;
   double best = s_m;
   double from = s_m;
-  for (double s = s_m; s < site.plan.route.length_m + kBeyondM && longest < kRoomM; s += 1.0) {
+  for (double s = s_m; s < site.plan.route.length_m + kBeyond_m && longest < kRoom_m; s += 1.0) {
     if (oncoming_lane_m(site, model, s) < 0.0) {
       from = s + 1.0;
     } else if (s - from >= longest) {
@@ -120,13 +120,13 @@ std::vector<Mover> make_movers(const Site& site) {
   double s = config.first_m;
   for (int i = 0; i < config.ahead; ++i) {
     movers.push_back(drive_along(site, model, s, 1.0, Random(site.seed, Purpose::movers, movers.size())));
-    s += kFollowM;
+    s += kFollow_m;
   }
   s = config.first_m;
   for (int i = 0; i < config.oncoming; ++i) {
     s = find_room(site, model, s);
     movers.push_back(drive_along(site, model, s, -1.0, Random(site.seed, Purpose::movers, movers.size())));
-    s += kFollowM;
+    s += kFollow_m;
   }
   return movers;
 }

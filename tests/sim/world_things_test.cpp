@@ -12,7 +12,7 @@ namespace berm::sim {
 namespace {
 
 /// Height above the ground below which a thing is in the way of who drives there.
-constexpr double kInTheWayM = 4.0;
+constexpr double kInTheWay_m = 4.0;
 
 std::size_t count_of(const TriangleMesh& mesh, Surface surface) {
   return static_cast<std::size_t>(std::count_if(mesh.materials.begin(), mesh.materials.end(),
@@ -47,7 +47,7 @@ TEST(WorldThings, NothingStandsOnThePiste) {
     const World world = world_of("piste", seed);
     for (const Eigen::Vector3f& v : world.things.vertices_m) {
       const GroundSample ground = world.terrain->at(v.x(), v.y());
-      if (static_cast<double>(v.z()) < ground.height_m + kInTheWayM) {
+      if (static_cast<double>(v.z()) < ground.height_m + kInTheWay_m) {
         ASSERT_LT(ground.inside_m, 0.1) << v.transpose();
       }
     }
@@ -60,7 +60,7 @@ TEST(WorldThings, WhatStandsOnOtherRoadsIsParkedOrARock) {
     for (std::size_t i = 0; i < world.things.triangles.size(); ++i) {
       const Eigen::Vector3f v = world.things.vertices_m[world.things.triangles[i][0]];
       const GroundSample ground = world.terrain->at(v.x(), v.y());
-      if (ground.inside_m < 0.1 || static_cast<double>(v.z()) > ground.height_m + kInTheWayM) {
+      if (ground.inside_m < 0.1 || static_cast<double>(v.z()) > ground.height_m + kInTheWay_m) {
         continue;
       }
       const Material& material = world.things.materials[i];
