@@ -61,10 +61,10 @@ Sensor sensor_of(const std::string& name) {
   return sim::read_sensor(std::filesystem::path(BERM_SENSORS) / (name + ".yaml"));
 }
 
+/// As in scenarios/groomer_snowfall.yaml: one beam in twenty meets a flake.
 SnowfallConfig snowfall() {
   SnowfallConfig config;
-  config.flakes_per_m3 = 500.0;
-  config.drift_flakes_per_m3 = 500.0;
+  config.flakes_per_m3 = 130.0;
   return config;
 }
 

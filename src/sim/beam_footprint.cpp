@@ -21,7 +21,13 @@ constexpr float kThingsStep_m = 0.3F;
 /// What the curvature of the ground adds for every metre between the two.
 constexpr float kCurvature = 0.01F;
 
-bool agree(const TracedRay& a, const TracedRay& b) {
+bool is_crown(const RayCaster& caster, const RawHit& hit) {
+  return caster.material_of(hit).surface == Surface::foliage;
+}
+
+/// Whether two rays met the same thing, on the same plane. Crowns before crowns count as one: beams go some way into
+/// them, and through them to the next, wherever in the footprint they enter.
+bool agree(const RayCaster& caster, const TracedRay& a, const TracedRay& b) {
   if (a.hit.object != b.hit.object) {
     return false;
   }
@@ -30,19 +36,24 @@ bool agree(const TracedRay& a, const TracedRay& b) {
   }
   const Eigen::Vector3f between_m = b.origin_m - a.origin_m + b.hit.range_m * b.direction - a.hit.range_m * a.direction;
   const float off_m = std::min(std::abs(a.hit.normal.dot(between_m)), std::abs(b.hit.normal.dot(between_m)));
-  return off_m <= (a.hit.object == 0 ? kTerrainStep_m : kThingsStep_m) + kCurvature * between_m.norm();
+  if (off_m <= (a.hit.object == 0 ? kTerrainStep_m : kThingsStep_m) + kCurvature * between_m.norm()) {
+    return true;
+  }
+  return a.hit.object != 0 && is_crown(caster, a.hit) && is_crown(caster, b.hit);
 }
 
 class TornFinder {
  public:
-  TornFinder(const OpticsConfig& optics, std::span<const TracedRay> rays, std::vector<std::uint8_t>& torn)
-      : rays_(rays),
+  TornFinder(const RayCaster& caster, const OpticsConfig& optics, std::span<const TracedRay> rays,
+             std::vector<std::uint8_t>& torn)
+      : caster_(caster),
+        rays_(rays),
         torn_(torn),
         reach_rad_(static_cast<float>(0.5e-3 * std::hypot(optics.divergence_x_mrad, optics.divergence_y_mrad))) {}
 
   /// The beams before and after lie `step` apart.
   void compare(std::size_t i, std::size_t k, std::size_t step, float near_rad) {
-    if (distance2(i, k) < near_rad * near_rad && !agree(rays_[i], rays_[k])) {
+    if (distance2(i, k) < near_rad * near_rad && !agree(caster_, rays_[i], rays_[k])) {
       torn_[i] = 1;
       torn_[k] = 1;
       for (std::size_t n = i; n >= step && distance2(n - step, i) < reach_rad_ * reach_rad_; n -= step) {
@@ -59,6 +70,7 @@ class TornFinder {
     return (rays_[i].direction - rays_[k].direction).squaredNorm();
   }
 
+  const RayCaster& caster_;
   std::span<const TracedRay> rays_;
   std::vector<std::uint8_t>& torn_;
   float reach_rad_;
@@ -66,10 +78,10 @@ class TornFinder {
 
 }  // namespace
 
-void find_torn(const Beams& beams, std::size_t lasers, const OpticsConfig& optics, std::span<const TracedRay> rays,
-               std::vector<std::uint8_t>& torn) {
+void find_torn(const RayCaster& caster, const Beams& beams, std::size_t lasers, const OpticsConfig& optics,
+               std::span<const TracedRay> rays, std::vector<std::uint8_t>& torn) {
   torn.assign(rays.size(), 0);
-  TornFinder finder(optics, rays, torn);
+  TornFinder finder(caster, optics, rays, torn);
   // Lasers with rings fire column by column, in an order of their own.
   const std::size_t rings =
       beams.ring.empty() ? 0 : std::size_t{*std::max_element(beams.ring.begin(), beams.ring.end())} + 1;

@@ -17,8 +17,8 @@ constexpr std::size_t kFootprintRays = RayPacket::kSize / 2;
 /// stands for it. An edge also marks the beams before and after whose footprint may reach it. What lies between two
 /// beams and in the footprint of neither marks them in vain; an edge that runs along the scanned line is not seen.
 /// `lasers` fire in turn, so that the next beam of the same laser is that many on.
-void find_torn(const Beams& beams, std::size_t lasers, const OpticsConfig& optics, std::span<const TracedRay> rays,
-               std::vector<std::uint8_t>& torn);
+void find_torn(const RayCaster& caster, const Beams& beams, std::size_t lasers, const OpticsConfig& optics,
+               std::span<const TracedRay> rays, std::vector<std::uint8_t>& torn);
 
 /// The footprint of a beam, a rectangle as wide as its divergence, as rays of equal energy: one anywhere in each of
 /// `kFootprintRays` equal parts. `up` is the z axis of the sensor in the world.

@@ -42,7 +42,7 @@ float damping(float width_m) {
   if (turns < 1e-3F) {
     return 1.0F;
   }
-  return sin_turn(turns - std::round(turns)) / (2.0F * std::numbers::pi_v<float> * turns);
+  return sin_turn(turns - rounded(turns)) / (2.0F * std::numbers::pi_v<float> * turns);
 }
 
 float footprint_m(double divergence_mrad, float range_m, const OpticsConfig& optics) {
@@ -86,12 +86,13 @@ float corduroy_m(const Hit& hit, const Eigen::Vector3f& direction, float cosine,
   const Eigen::Vector2f aside{-forward.y(), forward.x()};
   const float across_width_m = width_m * std::abs(aside.dot(hit.across_slope));
   const float across_length_m = length_m * std::abs(forward.dot(hit.across_slope));
-  // From five pitches on less than 7 % are left of 1 cm.
-  if (std::max(across_width_m, across_length_m) > 5.0F * kCorduroyPitch_m) {
+  // From two pitches on less than a sixth is left of 1 cm.
+  if (std::max(across_width_m, across_length_m) > 2.0F * kCorduroyPitch_m) {
     return 0.0F;
   }
   const double turns = hit.across_m / static_cast<double>(kCorduroyPitch_m);
-  const float ridge = cos_turn(static_cast<float>(turns - std::round(turns)));
+  const float ridge = cos_turn(static_cast<float>(turns - rounded(turns)));
+
   return 0.5F * kCorduroyHeight_m * ridge * damping(across_width_m) * damping(across_length_m);
 }
 

@@ -24,7 +24,6 @@ class ScrewMotion {
   ScrewMotion(const Pose& T_world_from, const Pose& T_world_to, const Pose& T_from_mounted);
 
   void at(double s, Placed& placed) const;
-  [[nodiscard]] const Eigen::Vector3d& start_m() const { return origin_[0]; }
 
  private:
   double angle_rad_ = 0.0;

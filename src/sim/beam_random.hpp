@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "berm/sim/random.hpp"
 
@@ -18,6 +19,13 @@ inline float cos_turn(float x) {
 /// sin(2 pi x) for |x| <= 1/2, likewise.
 inline float sin_turn(float x) {
   return cos_turn(x > -0.25F ? x - 0.25F : x + 0.75F);
+}
+
+/// Nearest whole number; for |x| < 2^31. std::round is a call of the library unless built for newer processors.
+template <typename Real>
+Real rounded(Real x) {
+  constexpr auto kHalf = static_cast<Real>(0.5);
+  return static_cast<Real>(static_cast<std::int32_t>(x + (x < 0 ? -kHalf : kHalf)));
 }
 
 struct NormalPair {

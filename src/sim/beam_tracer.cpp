@@ -9,6 +9,8 @@ namespace {
 constexpr std::uint16_t kMaxCasts = 40;
 /// Behind a surface the next cast begins this far on: several roundings of a float at 200 m.
 constexpr float kOn_m = 2e-3F;
+/// Rays farther apart than this are better cast alone.
+constexpr float kApart_rad = 0.05F;
 
 void set_lane(RayPacket& packet, std::size_t lane, const TracedRay& ray, float end_m) {
   packet.x_m[lane] = ray.origin_m.x();
@@ -22,16 +24,23 @@ void set_lane(RayPacket& packet, std::size_t lane, const TracedRay& ray, float e
   packet.time_s[lane] = ray.time_s;
 }
 
-/// Casts the rays that `ray_at` names, eight at a time.
+/// Casts the rays that `ray_at` names, up to eight at a time: as many as follow each other in nearly one direction.
 template <typename RayAt>
 void cast_packets(const RayCaster& caster, std::size_t count, float max_range_m, const RayAt& ray_at) {
   RayPacket packet{};
-  for (std::size_t first = 0; first < count; first += RayPacket::kSize) {
-    const std::size_t lanes = std::min(RayPacket::kSize, count - first);
-    for (std::size_t lane = 0; lane < RayPacket::kSize; ++lane) {
-      // Lanes that are over repeat the last ray, so that they have a time and a direction.
-      const TracedRay& ray = ray_at(first + std::min(lane, lanes - 1));
-      set_lane(packet, lane, ray, lane < lanes ? std::min(max_range_m, ray.crown_end_m) : -1.0F);
+  std::size_t lanes = 0;
+  for (std::size_t first = 0; first < count; first += lanes) {
+    const Eigen::Vector3f& direction = ray_at(first).direction;
+    for (lanes = 0; lanes < RayPacket::kSize && first + lanes < count; ++lanes) {
+      const TracedRay& ray = ray_at(first + lanes);
+      if ((ray.direction - direction).squaredNorm() > kApart_rad * kApart_rad) {
+        break;
+      }
+      set_lane(packet, lanes, ray, std::min(max_range_m, ray.crown_end_m));
+    }
+    for (std::size_t lane = lanes; lane < RayPacket::kSize; ++lane) {
+      // Lanes that are over repeat a ray, so that they have a time and a direction.
+      set_lane(packet, lane, ray_at(first), -1.0F);
     }
     caster.cast(packet);
     for (std::size_t lane = 0; lane < lanes; ++lane) {

@@ -23,8 +23,12 @@ std::size_t melt(std::span<Echo> echoes, float separation_m) {
   if (echoes.size() < 2) {
     return echoes.size();
   }
-  // Stable: which label wins among equals must not depend on the sorting.
-  std::stable_sort(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) { return a.range_m < b.range_m; });
+  // By insertion: there are few, and std::stable_sort would allocate. Stable, so that equals stay in their order.
+  for (auto next = echoes.begin() + 1; next != echoes.end(); ++next) {
+    const auto place = std::upper_bound(echoes.begin(), next, next->range_m,
+                                        [](float range_m, const Echo& echo) { return range_m < echo.range_m; });
+    std::rotate(place, next, next + 1);
+  }
   std::size_t last = 0;
   float end_m = echoes[0].range_m;
   for (std::size_t i = 1; i < echoes.size(); ++i) {

@@ -136,7 +136,7 @@ Return EchoMaker::report(const Echo& echo, Random& random) const {
   }
   // Sensors report whole numbers.
   const auto scale = static_cast<float>(optics_.reflectivity_scale);
-  const float reflectivity = std::round(scale * (echo.energy + echo.spot_sigma * normal.second));
+  const float reflectivity = rounded(scale * (echo.energy + echo.spot_sigma * normal.second));
   return {range_m, std::min(std::max(0.0F, reflectivity), kMaxReflectivity), echo.label};
 }
 

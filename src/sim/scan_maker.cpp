@@ -126,7 +126,7 @@ void ScanMaker::cast(const Place& place, ScanScratch::Memory& memory) const {
   const auto max_range_m = static_cast<float>(sensor_.optics.max_range_m);
   cast_all(caster_, memory.rays, max_range_m);
   const int lasers = sensor_.pattern.kind == "swirl" ? sensor_.pattern.fan_lasers : 1;
-  find_torn(memory.beams, static_cast<std::size_t>(lasers), sensor_.optics, memory.rays, memory.torn);
+  find_torn(caster_, memory.beams, static_cast<std::size_t>(lasers), sensor_.optics, memory.rays, memory.torn);
   memory.spread.resize(kFootprintRays *
                        static_cast<std::size_t>(std::count(memory.torn.begin(), memory.torn.end(), 1)));
   std::size_t first = 0;
