@@ -82,13 +82,11 @@ void find_torn(const RayCaster& caster, const Beams& beams, std::size_t lasers, 
                std::span<const TracedRay> rays, std::vector<std::uint8_t>& torn) {
   torn.assign(rays.size(), 0);
   TornFinder finder(caster, optics, rays, torn);
-  // Lasers with rings fire column by column, in an order of their own.
-  const std::size_t rings =
-      beams.ring.empty() ? 0 : std::size_t{*std::max_element(beams.ring.begin(), beams.ring.end())} + 1;
-  const std::size_t step = rings > 0 ? rings : lasers;
-  for (std::size_t i = step; i < rays.size(); ++i) {
-    finder.compare(i - step, i, step, kNear_rad);
+  const std::size_t rings = beams.ring.empty() ? 0 : lasers;
+  for (std::size_t i = lasers; i < rays.size(); ++i) {
+    finder.compare(i - lasers, i, lasers, kNear_rad);
   }
+  // Lasers with rings fire column by column, in an order of their own.
   std::array<std::size_t, kMostRings> place{};
   if (rings == 0 || rings > std::min(kMostRings, rays.size())) {
     return;

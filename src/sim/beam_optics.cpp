@@ -55,17 +55,6 @@ float shade(Surface surface, float cosine) {
   return cosine + roughness_of(surface) * (1.0F - cosine * cosine);
 }
 
-float detection_probability(float signal) {
-  const float squared = signal * signal;
-  // Of the form 1 - 1/..., because large signals overflow to infinity.
-  return 1.0F - 1.0F / (1.0F + squared * squared);
-}
-
-float range_variance_m2(float signal, const OpticsConfig& optics) {
-  const auto sigma_m = static_cast<float>(optics.range_noise_m);
-  return sigma_m * sigma_m * (1.0F + 3.0F / std::max(signal, 0.1F));
-}
-
 float relief_variance_m2(const SurfaceOptics& surface, float cosine, float range_m, const OpticsConfig& optics) {
   const auto relief_m = static_cast<float>(surface.relief_m);
   const float bounded = std::max(cosine, kLeastCosine);
@@ -94,16 +83,6 @@ float corduroy_m(const Hit& hit, const Eigen::Vector3f& direction, float cosine,
   const float ridge = cos_turn(static_cast<float>(turns - rounded(turns)));
 
   return 0.5F * kCorduroyHeight_m * ridge * damping(across_width_m) * damping(across_length_m);
-}
-
-float mirrored(const SurfaceOptics& surface, float cosine) {
-  const auto straight = static_cast<float>(surface.mirror);
-  if (straight <= 0.0F) {
-    return 0.0F;
-  }
-  const float grazing = 1.0F - std::clamp(cosine, 0.0F, 1.0F);
-  const float squared = grazing * grazing;
-  return straight * (1.0F + (1.0F - straight) * squared * squared * grazing);
 }
 
 }  // namespace berm::sim

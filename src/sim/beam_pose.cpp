@@ -59,6 +59,21 @@ void ScrewMotion::at(double s, Placed& placed) const {
   placed.origin_m = origin_[0] + s * origin_[1] + c.c1 * origin_[2] + c.c2 * origin_[3] + c.c3 * origin_[4];
 }
 
+void DensePoses::at(double time_s, Placed& placed) {
+  if (!(time_s <= to_s_)) {
+    from_s_ = time_s;
+    to_s_ = time_s + kMaxGap_s;
+    Placed to;
+    motion_.at(from_s_ / lasts_s_, from_);
+    motion_.at(to_s_ / lasts_s_, to);
+    per_s_.rotation = (to.rotation - from_.rotation) / kMaxGap_s;
+    per_s_.origin_m = (to.origin_m - from_.origin_m) / kMaxGap_s;
+  }
+  const double since_s = time_s - from_s_;
+  placed.rotation = from_.rotation + since_s * per_s_.rotation;
+  placed.origin_m = from_.origin_m + since_s * per_s_.origin_m;
+}
+
 PoseTrack::PoseTrack(const Trajectory& trajectory) {
   const std::vector<StampedPose>& poses = trajectory.poses();
   for (std::size_t i = 0; i < poses.size(); ++i) {

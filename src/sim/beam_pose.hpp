@@ -32,6 +32,26 @@ class ScrewMotion {
   std::array<Eigen::Vector3d, 5> origin_;
 };
 
+/// The poses of a screw motion at rising times, most of them from the straight line between two exact ones: no more
+/// than `kMaxGap_s` apart a machine's turns and pushes stay below 1e-9 rad and 1e-7 m.
+class DensePoses {
+ public:
+  static constexpr double kMaxGap_s = 2e-4;
+
+  DensePoses(const ScrewMotion& motion, double lasts_s) : motion_(motion), lasts_s_(lasts_s) {}
+
+  /// `time_s` since the start of the motion, not before that of the last call.
+  void at(double time_s, Placed& placed);
+
+ private:
+  const ScrewMotion& motion_;
+  double lasts_s_;
+  double from_s_ = 0.0;
+  double to_s_ = -1.0;  ///< nothing is known yet
+  Placed from_;
+  Placed per_s_;
+};
+
 /// Something on a trajectory; it stands still before the first and after the last pose.
 class PoseTrack {
  public:

@@ -10,7 +10,7 @@ constexpr std::uint16_t kMaxCasts = 40;
 /// Behind a surface the next cast begins this far on: several roundings of a float at 200 m.
 constexpr float kOn_m = 2e-3F;
 /// Rays farther apart than this are better cast alone.
-constexpr float kApart_rad = 0.05F;
+constexpr float kApart_rad = 0.08F;
 
 void set_lane(RayPacket& packet, std::size_t lane, const TracedRay& ray, float end_m) {
   packet.x_m[lane] = ray.origin_m.x();
@@ -87,8 +87,18 @@ bool is_settled(const RayCaster& caster, TracedRay& ray, float max_range_m, Rand
 
 }  // namespace
 
-void cast_all(const RayCaster& caster, std::span<TracedRay> rays, float max_range_m) {
-  cast_packets(caster, rays.size(), max_range_m, [&](std::size_t i) -> TracedRay& { return rays[i]; });
+void cast_all(const RayCaster& caster, std::span<TracedRay> rays, std::size_t step, float max_range_m) {
+  if (step == 1) {
+    cast_packets(caster, rays.size(), max_range_m, [&](std::size_t i) -> TracedRay& { return rays[i]; });
+    return;
+  }
+  // A block holds a packet of every laser; what is left over goes as it comes.
+  const std::size_t block = step * RayPacket::kSize;
+  const std::size_t blocks = rays.size() / block * block;
+  cast_packets(caster, rays.size(), max_range_m, [&](std::size_t i) -> TracedRay& {
+    const std::size_t within = i % block;
+    return rays[i < blocks ? i - within + within % RayPacket::kSize * step + within / RayPacket::kSize : i];
+  });
 }
 
 void settle(const RayCaster& caster, std::span<TracedRay> rays, float max_range_m, std::span<Random> randoms,

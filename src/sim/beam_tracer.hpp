@@ -31,8 +31,8 @@ struct TracedRay {
   std::uint16_t casts = 0;
 };
 
-/// The first hits of all rays, packed in their order.
-void cast_all(const RayCaster& caster, std::span<TracedRay> rays, float max_range_m);
+/// The first hits of all rays. Rays `step` apart look in nearly the same direction: they are packed together.
+void cast_all(const RayCaster& caster, std::span<TracedRay> rays, std::size_t step, float max_range_m);
 
 /// Goes on from the hits of `cast_all` until every ray has met what it does not pass. `randoms` is by beam; `pending`
 /// is memory.

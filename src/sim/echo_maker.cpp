@@ -27,6 +27,13 @@ Return EchoMaker::echo_of(std::span<const TracedRay> rays, double height_m, Rand
   if (random.chance(optics_.dropout)) {
     return {};
   }
+  // Well before it is read: what is written by halves and read as a whole at once makes the processor wait.
+  AirBeam beam;
+  if (weathers_) {
+    beam.origin_m = rays.front().origin_m.cast<double>();
+    beam.direction = rays.front().direction.cast<double>();
+    beam.time_s = rays.front().time_s;
+  }
   Echoes echoes;
   echoes.parts = memory;
   echoes.nearest_m = static_cast<float>(optics_.max_range_m);
@@ -36,8 +43,8 @@ Return EchoMaker::echo_of(std::span<const TracedRay> rays, double height_m, Rand
       add_surface(ray, share, random, echoes);
     }
   }
-  if (!weather_.is_clear()) {
-    add_air(rays.front(), height_m, random, echoes);
+  if (weathers_) {
+    add_air(beam, height_m, random, echoes);
   }
   const std::span<Echo> parts = memory.first(echoes.count);
   const std::size_t left = melt(parts, static_cast<float>(optics_.echo_separation_m));
@@ -74,12 +81,8 @@ void EchoMaker::add_surface(const TracedRay& ray, float share, Random& random, E
   echo.label_lead = echo.energy;
 }
 
-void EchoMaker::add_air(const TracedRay& ray, double height_m, Random& random, Echoes& echoes) const {
-  AirBeam beam;
-  beam.origin_m = ray.origin_m.cast<double>();
-  beam.direction = ray.direction.cast<double>();
+void EchoMaker::add_air(AirBeam& beam, double height_m, Random& random, Echoes& echoes) const {
   beam.end_m = static_cast<double>(echoes.nearest_m);
-  beam.time_s = ray.time_s;
   beam.height_m = height_m;
   // Down to the ground that the beam meets; else as the beam itself rises or falls.
   beam.slope = echoes.on_ground ? -height_m / std::max(beam.end_m, 1e-3) : beam.direction.z();

@@ -25,6 +25,7 @@ class EchoMaker {
         weather_(weather),
         optics_(optics),
         choice_(echo_choice(optics.echo)),
+        weathers_(!weather.is_clear()),
         detection_limit_(static_cast<float>(optics.detection_limit())) {}
 
   /// `rays` are settled and share the energy of the beam equally; `height_m` is that of the sensor above the ground.
@@ -41,7 +42,7 @@ class EchoMaker {
   };
 
   void add_surface(const TracedRay& ray, float share, Random& random, Echoes& echoes) const;
-  void add_air(const TracedRay& ray, double height_m, Random& random, Echoes& echoes) const;
+  void add_air(AirBeam& beam, double height_m, Random& random, Echoes& echoes) const;
   /// The echo that the sensor takes, nullptr if it detects none.
   [[nodiscard]] const Echo* choose(std::span<const Echo> echoes, Random& random) const;
   [[nodiscard]] Return report(const Echo& echo, Random& random) const;
@@ -50,6 +51,7 @@ class EchoMaker {
   const Weather& weather_;
   const OpticsConfig& optics_;
   EchoChoice choice_;
+  bool weathers_;
   float detection_limit_;
 };
 

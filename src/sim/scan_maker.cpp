@@ -17,7 +17,15 @@ namespace {
 /// How far below the sensor the ground is looked for.
 constexpr double kHighest_m = 1000.0;
 /// So many beams ahead the samples of the terrain are fetched from memory.
-constexpr std::size_t kAhead = 8;
+constexpr std::size_t kAhead = 24;
+
+/// How many lasers fire in turn: the next beam of the same laser is that many on.
+std::size_t lasers_of(const Beams& beams, const PatternConfig& pattern) {
+  if (!beams.ring.empty()) {
+    return std::size_t{*std::max_element(beams.ring.begin(), beams.ring.end())} + 1;
+  }
+  return pattern.kind == "swirl" ? static_cast<std::size_t>(pattern.fan_lasers) : 1;
+}
 
 void resize(PointChannels& points, std::size_t rings, std::size_t size) {
   for (std::vector<float>* channel : {&points.x, &points.y, &points.z, &points.intensity, &points.time}) {
@@ -100,6 +108,7 @@ ScanMaker::Place ScanMaker::aim(std::size_t index, Stamp stamp_ns, ScanScratch::
     const double start_s = to_seconds(stamp_ns - from.stamp_ns);
     const double lasts_s = to_seconds(next->stamp_ns - from.stamp_ns);
     const bool last = next + 1 == poses.end();
+    DensePoses dense(motion, lasts_s);
     if (beam == 0) {
       motion.at(start_s / lasts_s, placed);
       place = {placed.origin_m, placed.rotation.col(2).cast<float>()};
@@ -109,7 +118,7 @@ ScanMaker::Place ScanMaker::aim(std::size_t index, Stamp stamp_ns, ScanScratch::
       if (since_s > lasts_s && !last) {
         break;
       }
-      motion.at(since_s / lasts_s, placed);
+      dense.at(since_s, placed);
       const Eigen::Vector3d direction = Eigen::Vector3f{beams.x[beam], beams.y[beam], beams.z[beam]}.cast<double>();
       TracedRay& ray = memory.rays[beam];
       ray = {};
@@ -124,9 +133,9 @@ ScanMaker::Place ScanMaker::aim(std::size_t index, Stamp stamp_ns, ScanScratch::
 
 void ScanMaker::cast(const Place& place, ScanScratch::Memory& memory) const {
   const auto max_range_m = static_cast<float>(sensor_.optics.max_range_m);
-  cast_all(caster_, memory.rays, max_range_m);
-  const int lasers = sensor_.pattern.kind == "swirl" ? sensor_.pattern.fan_lasers : 1;
-  find_torn(caster_, memory.beams, static_cast<std::size_t>(lasers), sensor_.optics, memory.rays, memory.torn);
+  const std::size_t lasers = lasers_of(memory.beams, sensor_.pattern);
+  cast_all(caster_, memory.rays, lasers, max_range_m);
+  find_torn(caster_, memory.beams, lasers, sensor_.optics, memory.rays, memory.torn);
   memory.spread.resize(kFootprintRays *
                        static_cast<std::size_t>(std::count(memory.torn.begin(), memory.torn.end(), 1)));
   std::size_t first = 0;
@@ -139,7 +148,7 @@ void ScanMaker::cast(const Place& place, ScanScratch::Memory& memory) const {
       first += kFootprintRays;
     }
   }
-  cast_all(caster_, memory.spread, max_range_m);
+  cast_all(caster_, memory.spread, 1, max_range_m);
   settle(caster_, memory.rays, max_range_m, memory.randoms, memory.pending);
   settle(caster_, memory.spread, max_range_m, memory.randoms, memory.pending);
 }

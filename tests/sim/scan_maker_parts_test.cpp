@@ -87,6 +87,24 @@ TEST(ScrewMotion, IsTheTrajectoryWithAMount) {
   }
 }
 
+// A machine that turns at 60 degrees a second, pitches and is shaken at 1 g.
+TEST(DensePoses, AreThoseOfTheTrajectory) {
+  const Pose from = Pose::from_yaw_pitch_roll(1.0, 0.2, -0.1, {800.0, -300.0, 50.0});
+  const Pose mount = Pose::from_yaw_pitch_roll(0.1, 0.2, 0.0, {1.0, 0.2, 2.5});
+  Trajectory trajectory;
+  trajectory.append(0, from);
+  trajectory.append(10'000'000, from * Pose::from_yaw_pitch_roll(0.0105, 0.004, -0.004, {0.1, 0.0, 0.001}));
+  const ScrewMotion motion(from, trajectory.poses()[1].T_world_base, mount);
+  DensePoses dense(motion, 0.01);
+  for (int i = 0; i <= 10'000; i += i % 7 + 1) {
+    Placed placed;
+    dense.at(1e-6 * i, placed);
+    const Pose expected = *trajectory.at(Stamp{1000} * i) * mount;
+    EXPECT_LT((placed.origin_m - expected.translation_m()).norm(), 1e-6);
+    EXPECT_LT((placed.rotation - expected.rotation().toRotationMatrix()).norm(), 1e-7);
+  }
+}
+
 TEST(PoseTrack, StandsStillBeforeAndAfter) {
   Trajectory trajectory;
   trajectory.append(1'000'000'000, Pose::from_yaw_pitch_roll(0.0, 0.0, 0.0, {1.0, 0.0, 0.0}));
