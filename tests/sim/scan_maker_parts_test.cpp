@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "beam_optics.hpp"
-#include "beam_pose.hpp"
-#include "beam_random.hpp"
-#include "echo.hpp"
+#include "beams/beam_optics.hpp"
+#include "beams/beam_pose.hpp"
+#include "beams/beam_random.hpp"
+#include "beams/echo.hpp"
 
 namespace berm::sim {
 namespace {

@@ -44,6 +44,7 @@ struct RayCasterConfig {
 
 /// Rays that are cast together, which is quicker than one by one where they start and point nearly alike. Lanes whose
 /// `max_range_m` is negative are left out.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): every lane is written before it is cast
 struct alignas(64) RayPacket {
   static constexpr std::size_t kSize = 8;
   template <typename Value>
@@ -79,9 +80,9 @@ class RayCaster {
                           double max_range_m, double time_s, Hit& hit) const;
   /// The same for the rays of a packet.
   void cast(RayPacket& packet) const;
-  /// What a ray met; `hit` must not be nothing.
+  /// What a ray met; `raw` must not be nothing.
   [[nodiscard]] Hit describe(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction,
-                             const RawHit& hit) const;
+                             const RawHit& raw) const;
   /// Only what it is made of, which is cheaper. Not for the terrain.
   [[nodiscard]] Material material_of(const RawHit& hit) const;
 

@@ -26,8 +26,8 @@ class RosettePattern : public DirectionMaker {
  private:
   ShotClock clock_;
   double points_per_s_;
-  double hz_[2];
-  double deflection_rad_[2];
+  double hz_[2] = {};
+  double deflection_rad_[2] = {};
 };
 
 void RosettePattern::beams_of_scan(std::size_t scan, Beams& beams) const {

@@ -29,7 +29,7 @@ inline void intersect8(RTCScene scene, const int* valid, RTCRayHit8& rays) {
   arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
   rtcIntersect8(valid, scene, &rays, &arguments);
 #else
-  RTCIntersectContext context;
+  RTCIntersectContext context;  // NOLINT(cppcoreguidelines-pro-type-member-init): the next line does it
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect8(valid, scene, &context, &rays);

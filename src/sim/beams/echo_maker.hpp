@@ -29,9 +29,9 @@ class EchoMaker {
         detection_limit_(static_cast<float>(optics.detection_limit())) {}
 
   /// `rays` are settled and share the energy of the beam equally; `height_m` is that of the sensor above the ground.
-  /// `parts` is memory for one echo of every ray and one of the air.
+  /// `memory` has room for one echo of every ray and one of the air.
   [[nodiscard]] Return echo_of(std::span<const TracedRay> rays, double height_m, Random& random,
-                               std::span<Echo> parts) const;
+                               std::span<Echo> memory) const;
 
  private:
   struct Echoes {

@@ -53,7 +53,8 @@ SpinningPattern::SpinningPattern(const PatternConfig& config)
   const auto rings = rank(elevations_deg);
   const auto at_once = static_cast<std::size_t>(config.lasers_at_once);
   for (std::size_t i = 0; i < elevations_deg.size(); ++i) {
-    const double delay_s = static_cast<double>(i / at_once) * config.firing_s;
+    const std::size_t group = i / at_once;
+    const double delay_s = static_cast<double>(group) * config.firing_s;
     const double elevation_rad = elevations_deg[i] * kRadPerDeg;
     const double azimuth_rad = offsets_deg[i] * kRadPerDeg + 2.0 * std::numbers::pi * turns_per_s_ * delay_s;
     lasers_.push_back({std::cos(elevation_rad) * std::cos(azimuth_rad), std::cos(elevation_rad) * std::sin(azimuth_rad),

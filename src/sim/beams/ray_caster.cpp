@@ -178,8 +178,10 @@ void RayCaster::Scene::add_mover(const Mover& mover, std::size_t number) {
 }
 
 void RayCaster::Scene::cast_standing(RayPacket& packet) const {
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init): all lanes are written below
   RTCRayHit8 rays;
   alignas(32) std::array<int, kLanes> valid;
+  // NOLINTEND(cppcoreguidelines-pro-type-member-init)
   static_assert(sizeof(packet.x_m) == sizeof(rays.ray.org_x));
   std::memcpy(rays.ray.org_x, packet.x_m.data(), sizeof(packet.x_m));
   std::memcpy(rays.ray.org_y, packet.y_m.data(), sizeof(packet.x_m));
@@ -233,8 +235,10 @@ void RayCaster::Scene::cast_mover(RayPacket& packet, std::size_t number) const {
   if (!may_meet(packet, mover)) {
     return;
   }
+  // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init): all lanes are written below
   RTCRayHit8 rays;
   alignas(32) std::array<int, kLanes> valid;
+  // NOLINTEND(cppcoreguidelines-pro-type-member-init)
   std::array<Placed, kLanes> placed;
   clear_hits(rays);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

@@ -102,7 +102,8 @@ void TerrainMesh::lay_tiles(const World& world, const RayCasterConfig& config) {
     tiles_.resize(columns_ * rows_);
     for_all(tiles_.size(), config.threads, [&](std::size_t i) {
       const double x_m = min_x_m_ + (static_cast<double>(i % columns_) + 0.5) * tile_m;
-      const double y_m = min_y_m_ + (static_cast<double>(i / columns_) + 0.5) * tile_m;
+      const std::size_t row = i / columns_;
+      const double y_m = min_y_m_ + (static_cast<double>(row) + 0.5) * tile_m;
       tiles_[i].level = level_at(world.route, x_m, y_m, config.fine_width_m);
     });
   }

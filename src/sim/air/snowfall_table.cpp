@@ -32,7 +32,8 @@ SnowfallTable::SnowfallTable(const SnowfallConfig& snowfall, const OpticsConfig&
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     reflectivity_[kind] =
         std::min(1.0, snowfall.flake_reflectivity * std::exp(kLogSpread * kNormalMedians[kind % kBrightnesses]));
-    gain_[kind] = (static_cast<double>(kind / kBrightnesses) + 0.5) * 2.0 / kPlaces;
+    const std::size_t place = kind / kBrightnesses;
+    gain_[kind] = (static_cast<double>(place) + 0.5) * 2.0 / kPlaces;
   }
   tabulate();
 }

@@ -121,7 +121,8 @@ void spread(const TracedRay& middle, const Eigen::Vector3f& up, const OpticsConf
     const float u = static_cast<float>(bits >> 40U) * 0x1p-24F;
     const float v = static_cast<float>((bits >> 8U) & 0xffffffU) * 0x1p-24F;
     const float across = width_rad * ((static_cast<float>(i % columns) + u) / static_cast<float>(columns) - 0.5F);
-    const float along = height_rad * ((static_cast<float>(i / columns) + v) / static_cast<float>(rows) - 0.5F);
+    const std::size_t row = i / columns;
+    const float along = height_rad * ((static_cast<float>(row) + v) / static_cast<float>(rows) - 0.5F);
     rays[i] = middle;
     rays[i].hit = {};
     rays[i].casts = 0;

@@ -40,6 +40,7 @@ struct Crossing {
 
 class Crossings {
  public:
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): a beam fills as many crossings as it reads
   Crossings(const PlumeTree& tree, const std::vector<Eigen::Vector3d>& per_sigma, const AirBeam& beam) {
     tree.visit(beam, [&](std::size_t i) {
       const Plume& plume = tree.plumes()[i];
@@ -102,7 +103,7 @@ class Crossings {
 Dust::Dust(std::vector<Plume> plumes, const OpticsConfig& optics)
     : tree_(std::move(plumes), kReach), optics_(optics), limit_(optics.detection_limit()) {
   for (const Plume& plume : tree_.plumes()) {
-    per_sigma_.push_back(plume.sigma_m.cwiseMax(kLeastSigma).cwiseInverse());
+    per_sigma_.emplace_back(plume.sigma_m.cwiseMax(kLeastSigma).cwiseInverse());
   }
 }
 

@@ -54,8 +54,8 @@ class SnowfallTable {
   SnowfallConfig snowfall_;
   OpticsConfig optics_;
   double limit_;
-  std::array<double, kKinds> reflectivity_;
-  std::array<double, kKinds> gain_;  ///< of the share that is covered, by the place in the beam
+  std::array<double, kKinds> reflectivity_{};
+  std::array<double, kKinds> gain_{};  ///< of the share that is covered, by the place in the beam
   double step_m_ = 0.0;
   std::vector<double> expected_;      ///< at multiples of the step
   std::vector<std::uint16_t> steps_;  ///< where equal parts of the expected number are reached
