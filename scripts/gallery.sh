@@ -6,7 +6,10 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-case "${1:-}" in -h | --help) print_help && exit 0 ;; esac
+case "${1:-}" in
+  -h | --help) print_help && exit 0 ;;
+  ?*) wrong_usage "unknown argument $1" ;;
+esac
 images="$repo_dir/docs/images"
 configure_and_build release --target berm
 berm="$repo_dir/build/release/berm"
@@ -17,6 +20,7 @@ for scenario in groomer_clear groomer_forks haul_road haul_road_dust flat_road c
   say "World $scenario"
   "$berm" sim "$scenario" --picture "$images/world_$scenario.png"
 done
+
 # sensor NAME PITCH_DEG TITLE
 sensor() {
   say "Sensor $1"
