@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
@@ -61,18 +62,30 @@ Sensor sensor_of(const std::string& name) {
   return sim::read_sensor(std::filesystem::path(BERM_SENSORS) / (name + ".yaml"));
 }
 
-/// As in scenarios/groomer_snowfall.yaml: one beam in twenty meets a flake.
-SnowfallConfig snowfall() {
-  SnowfallConfig config;
-  config.flakes_per_m3 = 130.0;
-  return config;
+/// What the air holds, by name: nothing; the snowfall of scenarios/groomer_snowfall.yaml, which one beam in twenty
+/// meets; that with snow that blows along the ground, and dust everywhere: all that the air can do to a beam at once.
+Weather weather_of(const std::string& air, const Sensor& sensor, const Course& at) {
+  SnowfallConfig snowfall;
+  std::vector<sim::Plume> plumes;
+  if (air != "clear") {
+    snowfall.flakes_per_m3 = 130.0;
+  }
+  if (air == "everything") {
+    snowfall.drift_flakes_per_m3 = 200.0;
+    for (double s_m = 0.0; s_m < at.world.route.length_m(); s_m += 20.0) {
+      const sim::RoutePoint here = at.world.route.at(s_m);
+      plumes.push_back({{here.x_m, here.y_m, here.z_m + 1.0}, {4.0, 3.0, 1.2}, 0.1});
+    }
+  }
+  return {snowfall, sensor.optics, plumes, 1};
 }
 
-/// Scans along the whole course, with everything on.
-void make_scans(benchmark::State& state, const std::string& kind, const std::string& sensor_name, bool snows) {
+/// Scans along the whole course. Footprints, crowns, nets, movers, relief and receiver are always on.
+void make_scans(benchmark::State& state, const std::string& kind, const std::string& sensor_name,
+                const std::string& air) {
   const Course& at = course(kind);
   const Sensor sensor = sensor_of(sensor_name);
-  const Weather weather(snows ? snowfall() : SnowfallConfig{}, sensor.optics, at.world.plumes, 1);
+  const Weather weather = weather_of(air, sensor, at);
   const Pose T_base_sensor = Pose::from_yaw_pitch_roll(0.0, 0.19, 0.0, {0.0, 0.0, 2.3});
   const ScanMaker maker(sensor, T_base_sensor, *at.caster, weather, at.trajectory, 1);
   const auto scans =
@@ -101,15 +114,16 @@ void build_caster(benchmark::State& state, const std::string& kind) {
 }
 
 const bool kRegistered = [] {
-  const auto add = [](const std::string& kind, const std::string& sensor, bool snows) {
-    const std::string name = "sim/" + kind + (snows ? "_snowfall" : "") + "/" + sensor;
-    benchmark::RegisterBenchmark(name.c_str(), make_scans, kind, sensor, snows)->Unit(benchmark::kMillisecond);
+  const auto add = [](const std::string& kind, const std::string& sensor, const std::string& air) {
+    const std::string name = "sim/" + kind + " " + air + "/" + sensor;
+    benchmark::RegisterBenchmark(name.c_str(), make_scans, kind, sensor, air)->Unit(benchmark::kMillisecond);
   };
-  add("piste", "livox_mid70", true);
-  add("piste", "livox_mid70", false);
-  add("piste", "ouster64", true);
-  add("haul_road", "livox_mid70", false);
-  add("haul_road", "vlp16", false);
+  add("piste", "livox_mid70", "clear");
+  add("piste", "livox_mid70", "snowfall");
+  add("piste", "livox_mid70", "everything");
+  add("piste", "ouster64", "snowfall");
+  add("haul_road", "livox_mid70", "clear");
+  add("haul_road", "vlp16", "clear");
   benchmark::RegisterBenchmark("sim_build/piste", build_caster, std::string("piste"))->Unit(benchmark::kMillisecond);
   return true;
 }();

@@ -26,7 +26,7 @@ constexpr int kForkAttempts = 24;
 /// Runs that do not meet stay this far from edge to middle.
 constexpr double kApart_m = 22.0;
 /// After a fork has left its run, its gradient turns to one of its own, this much off at most, over this distance.
-constexpr double kForkGradientDeg = 8.0;
+constexpr double kForkGradient_deg = 8.0;
 constexpr double kForkEase_m = 60.0;
 
 Run make_run(const WorldPlan& plan, std::vector<RoutePoint> course, double share, const RunSeed& seed) {
@@ -121,7 +121,7 @@ void add_fork(const WorldPlan& plan, std::vector<Run>& runs, std::uint64_t seed,
   // Not much steeper than what it leaves: between the two there is to be a slope, not a cliff.
   const double left_deg =
       std::atan(runs[0].route.gradient(runs[0].place(course[0].x_m, course[0].y_m).place.s_m)) / kDegree;
-  const double gradient = std::tan(std::clamp(left_deg + random.uniform(-kForkGradientDeg, kForkGradientDeg),
+  const double gradient = std::tan(std::clamp(left_deg + random.uniform(-kForkGradient_deg, kForkGradient_deg),
                                               plan.route.min_gradient_deg, plan.route.max_gradient_deg) *
                                    kDegree);
   lay_fork_heights(runs[0], course, gradient, model);

@@ -45,7 +45,7 @@ std::vector<double> random_curvatures(const RouteConfig& config, std::uint64_t s
     const double side = off_rad > 0.0 ? -1.0 : 1.0;
     const bool sharpest = bend == 1;
     double turn = side * config.bend_deg * kDegree * (sharpest ? 1.0 : random.uniform(0.25, 0.9));
-    turn = std::clamp(turn, -kMaxTurnRad - off_rad, kMaxTurnRad - off_rad);
+    turn = std::clamp(turn, -kMaxTurn_rad - off_rad, kMaxTurn_rad - off_rad);
     const double radius = config.min_radius_m * (sharpest ? 1.0 : random.uniform(1.1, 3.0));
     if (std::abs(turn) > 0.01) {
       s += add_bend(curvatures, s, turn, radius);

@@ -13,7 +13,7 @@ constexpr double kRouteStep_m = 0.5;
 /// How far a piste or road goes on before the start and behind the end of the route.
 constexpr double kLead_m = 120.0;
 /// How far the heading may leave the main direction: a route never comes near to itself.
-constexpr double kMaxTurnRad = 1.25;
+constexpr double kMaxTurn_rad = 1.25;
 
 /// Points every kRouteStep_m from -kLead_m to the length + kLead_m; (0, 0, 0) is where s = 0. Widths are left 0.
 /// Procedural: random bends and gradients within the limits, of which the greatest gradient is reached.

@@ -55,8 +55,8 @@ std::vector<double> steer(const RouteConfig& config, const ModelGround& ground, 
   for (std::size_t i = 1; i < gradients.size(); ++i) {
     const Eigen::Vector2d slope =
         ground.slope(x + kLookAhead_m * std::cos(heading), y + kLookAhead_m * std::sin(heading), kSlopeBase_m);
-    const double wanted = std::clamp(heading_for(slope, gradients[i], heading), main_heading_rad - kMaxTurnRad,
-                                     main_heading_rad + kMaxTurnRad);
+    const double wanted = std::clamp(heading_for(slope, gradients[i], heading), main_heading_rad - kMaxTurn_rad,
+                                     main_heading_rad + kMaxTurn_rad);
     const double curvature = std::clamp((wanted - heading) / kLookAhead_m, -0.98 * most, 0.98 * most);
     const double change = most * kRouteStep_m / kRamp_m;
     curvatures[i] = curvatures[i - 1] + std::clamp(curvature - curvatures[i - 1], -change, change);

@@ -11,9 +11,9 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kStepS = 0.1;
+constexpr double kStep_s = 0.1;
 /// Nobody simulates longer than this with traffic that still moves.
-constexpr double kLongestS = 1200.0;
+constexpr double kLongest_s = 1200.0;
 /// Room beside who drives in the middle: half of a wide machine, and some.
 constexpr double kPassing_m = 3.4;
 constexpr double kToEdge_m = 0.5;
@@ -47,8 +47,8 @@ Mover drive_along(const Site& site, const VehicleModel& model, double s_m, doubl
   const double ahead_lane = random.uniform(-0.8, -0.2);
   double s = s_m;
   double lane = direction > 0.0 ? ahead_lane : oncoming_lane_m(site, model, s);
-  for (int i = 0; i * kStepS < kLongestS; ++i) {
-    const double time_s = i * kStepS;
+  for (int i = 0; i * kStep_s < kLongest_s; ++i) {
+    const double time_s = i * kStep_s;
     if (direction < 0.0) {
       const double wanted = oncoming_lane_m(site, model, s);
       if (wanted < 0.0) {
@@ -62,7 +62,7 @@ Mover drive_along(const Site& site, const VehicleModel& model, double s_m, doubl
     mover.T_world_object.append(from_seconds(time_s),
                                 stand_on(site.terrain, beside(at, lane), yaw, model.length_m, model.width_m));
     const double speed = site.plan.traffic.speed_m_per_s * (1.0 + kSpeedChange * std::sin(phase + 0.35 * time_s));
-    s += direction * speed * kStepS;
+    s += direction * speed * kStep_s;
     if (s < -kBeyond_m || s > site.plan.route.length_m + kBeyond_m) {
       break;
     }
