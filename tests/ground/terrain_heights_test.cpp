@@ -114,6 +114,9 @@ TEST(TerrainHeights, HeightAboveIsThatOfThePointOverTheTerrain) {
     std::sort(errors_m.begin(), errors_m.end());
     EXPECT_LT(errors_m[errors_m.size() / 2], 0.05) << terrain.name;
     EXPECT_LT(errors_m[errors_m.size() * 3 / 4], 0.15) << terrain.name;
+    if (terrain.name != "ditch") {  // there a tenth of the points is off by up to 1.1 m: see docs/ground.md
+      EXPECT_LT(errors_m[errors_m.size() * 9 / 10], 0.3) << terrain.name;
+    }
   }
 }
 

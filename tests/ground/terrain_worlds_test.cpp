@@ -91,7 +91,7 @@ TEST(TerrainWorlds, AWrongMountHeightHardlyMatters) {
     for (const double share : {0.0, 0.7, 1.4, 2.0}) {
       const Pose wrong = test::mount(share * sensor.height_m);
       const double f1 = test::ground_f1(ground.process(scan.cloud.view(), wrong), scan);
-      EXPECT_NEAR(f1, right, 0.015) << terrain.name << ", mount height times " << share;
+      EXPECT_GT(f1, right - 0.003) << terrain.name << ", mount height times " << share;
     }
   }
 }
