@@ -20,17 +20,21 @@ TABLE = {
     "core": set(),
     "geometry": {"core"},
     "ground": {"core", "geometry"},
+    "snow": {"core", "geometry"},
+    "piste": {"core", "geometry"},
     "io": {"core"},
     "sim": {"core", "geometry", "io"},
     "eval": {"core", "io"},
     "render": {"core", "geometry"},
-    "pipeline": {"core", "geometry", "ground", "io", "render"},
+    "pipeline": {"core", "geometry", "ground", "snow", "piste", "io", "render"},
 }
 # Modules that users embed: what their includes in angle brackets may start with, beside the standard library.
 LEAN = {
     "core": ("Eigen/",),
     "geometry": ("Eigen/", "tsl/"),
     "ground": ("Eigen/", "tsl/"),
+    "snow": ("Eigen/", "tsl/"),
+    "piste": ("Eigen/", "tsl/"),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+")
