@@ -22,10 +22,11 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   berm run recording --machine car -o out
-  berm run recording -m groomer -o out --method ground=reference
+  berm run recording -m groomer -o out --method piste=reference --method snow=reference
   berm run recording -m my_truck.yaml -o out --set mount.height_m=3.8 --first 100 --count 50
 
-Writes out/labels/NAME.label for every scan, out/trajectory.tum if the recording brings poses, and out/run.json last.
+Writes out/labels/NAME.label for every scan, out/scans.csv with a line for each, out/boundary.csv with a piste method,
+out/trajectory.tum if the recording brings poses, and out/run.json last.
 Ends with 0 if everything was done, 3 if scans were skipped (run.json says which and why), 1 if it failed, 2 for wrong usage.)";
 
 struct RunCommand {
@@ -56,10 +57,12 @@ int report(const RunSummary& summary, const RunOptions& options) {
   for (const SkippedScan& scan : summary.skipped) {
     spdlog::warn("skipped scan {}: {}", scan.name, scan.reason);
   }
-  spdlog::info("{} scans, {} points: {:.1f} % drivable, {:.1f} % obstacle, {:.1f} % no return, {} invalid -> {}",
-               counts.labelled, counts.points, percent(counts.drivable, counts.points),
-               percent(counts.obstacle, counts.points), percent(counts.no_return, counts.points), counts.invalid,
-               output);
+  const auto share = [&counts](std::uint64_t part) { return percent(part, counts.points); };
+  spdlog::info(
+      "{} scans, {} points: {:.1f} % drivable, {:.1f} % terrain, {:.1f} % obstacle, {:.1f} % falling snow, {:.1f} % no "
+      "return, {} invalid -> {}",
+      counts.labelled, counts.points, share(counts.drivable), share(counts.terrain), share(counts.obstacle),
+      share(counts.falling_snow), share(counts.no_return), counts.invalid, output);
   if (counts.skipped > 0) {
     spdlog::warn("{} of {} scans were skipped, see {}/run.json", counts.skipped, counts.selected, output);
     return kWithLosses;

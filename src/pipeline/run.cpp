@@ -1,8 +1,10 @@
 #include "berm/pipeline/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +20,7 @@
 #include "berm/io/trajectory_file.hpp"
 #include "berm/pipeline/pipeline.hpp"
 #include "run_report.hpp"
+#include "scan_table.hpp"
 #include "stage_times.hpp"
 
 namespace berm {
@@ -30,11 +33,18 @@ constexpr double kRateTolerance = 0.1;
 struct Job {
   Scan scan;
   std::vector<Label> labels;
-  GroundCounts ground;
+  ScanFigures figures;
+  std::vector<BoundaryPoint> left;
+  std::vector<BoundaryPoint> right;
+  MountCheckResult mount;
   std::optional<std::string> failure;
   StageTime read;
-  StageTime process;
+  std::array<std::optional<StageTime>, kStages> stages;
 };
+
+double to_degrees(double angle_rad) {
+  return angle_rad * 180.0 / std::numbers::pi;
+}
 
 std::size_t selected_count(const Recording& recording, const RunOptions& options) {
   if (options.first >= recording.size() || options.count == std::size_t{0}) {
@@ -68,6 +78,11 @@ class Run {
     OutputFolder output(options_.output, options_.force, run_results(), recording_.path());
     output_ = &output;
     const StageClock clock;
+    scan_table_.emplace(output / "scans.csv");
+    if (machine_.methods.piste != "none") {
+      boundary_table_.emplace(output / "boundary.csv");
+    }
+    const Tables tables{*this};
     process_scans();
     if (summary_.interrupted) {
       return std::move(summary_);
@@ -81,14 +96,30 @@ class Run {
       write_tum(output / "trajectory.tum", trajectory_);
       note_missing_poses();
     }
+    scan_table_->commit();
+    if (boundary_table_) {
+      boundary_table_->commit();
+    }
+    summary_.mount = mount_.summarize();
+    note_mount();
     times_.wall_s = clock.stop().wall_ms * 1e-3;
+    const RunFiles files{.boundary = boundary_table_.has_value(), .trajectory = has_trajectory};
     write_file_atomically(output / "run.json",
-                          write_run_report(recording_, machine_, options_, summary_, times_, has_trajectory));
+                          write_run_report(recording_, machine_, options_, summary_, times_, files));
     output.finish();
     return std::move(summary_);
   }
 
  private:
+  /// Takes back tables that were not committed, before the folder is judged to be empty.
+  struct Tables {
+    Run& self;
+    ~Tables() {
+      self.scan_table_.reset();
+      self.boundary_table_.reset();
+    }
+  };
+
   void process_scans() {
     OrderedParallel<Job> work(
         summary_.counts.selected, threads_,
@@ -108,12 +139,18 @@ class Run {
       return;
     }
     job.read = read_clock.stop();
-    const StageClock process_clock;
     job.scan.T_base_sensor = T_base_sensor_;
-    const ScanLabels result = pipeline.process(job.scan);
+    job.stages.fill(std::nullopt);
+    StageClock clock;
+    const ScanResult result = pipeline.process(job.scan, [&job, &clock](Stage stage) {
+      job.stages[static_cast<std::size_t>(stage)] = clock.stop();
+      clock = StageClock();
+    });
     job.labels.assign(result.labels.begin(), result.labels.end());
-    job.ground = result.ground;
-    job.process = process_clock.stop();
+    job.left.assign(result.piste.left.begin(), result.piste.left.end());
+    job.right.assign(result.piste.right.begin(), result.piste.right.end());
+    job.figures = figures_of(result);
+    job.mount = result.mount;
   }
 
   /// Runs on the calling thread, scan after scan.
@@ -124,10 +161,15 @@ class Run {
     } else {
       const StageClock clock;
       write_labels(*output_ / "labels" / (name + ".label"), job.labels);
+      scan_table_->add(name, job.scan.stamp_ns, job.figures);
+      if (boundary_table_) {
+        boundary_table_->add(name, job.left, job.right);
+      }
       times_.write.add(clock.stop());
       times_.read.add(job.read);
-      times_.ground.add(job.process);
+      add_stage_times(job);
       count(job);
+      mount_.add(job.mount);
       add_pose(job.scan.stamp_ns);
     }
     if (options_.on_progress) {
@@ -146,12 +188,26 @@ class Run {
 
   void count(const Job& job) {
     RunCounts& counts = summary_.counts;
+    const LabelCounts& labels = job.figures.counts;
     ++counts.labelled;
     counts.points += job.labels.size();
-    counts.drivable += job.ground.ground;
-    counts.obstacle += job.ground.not_ground;
-    counts.no_return += job.ground.no_return;
-    counts.invalid += job.ground.invalid;
+    counts.drivable += labels.drivable;
+    counts.terrain += labels.terrain;
+    counts.obstacle += labels.obstacle;
+    counts.falling_snow += labels.falling_snow;
+    counts.no_return += labels.no_return;
+    counts.invalid += labels.invalid;
+    for (std::size_t kind = 0; kind < kDegradations; ++kind) {
+      counts.degraded[kind] += job.figures.degraded.has(static_cast<Degradation>(kind)) ? 1U : 0U;
+    }
+  }
+
+  void add_stage_times(const Job& job) {
+    for (std::size_t stage = 0; stage < kStages; ++stage) {
+      if (job.stages[stage]) {
+        times_.stages[stage].add(*job.stages[stage]);
+      }
+    }
   }
 
   void add_pose(Stamp stamp_ns) {
@@ -176,6 +232,17 @@ class Run {
     }
   }
 
+  void note_mount() {
+    if (summary_.mount.verdict != MountVerdict::implausible) {
+      return;
+    }
+    const MountEstimate& seen = *summary_.mount.estimate;
+    summary_.notes.push_back(fmt::format(
+        "the mount looks wrong: the ground near the machine lies tilted by {:.1f} deg against it (pitch {:+.1f}, roll "
+        "{:+.1f}), {:.2f} m below the sensor; check mount.pitch_deg, mount.roll_deg and mount.height_m",
+        to_degrees(seen.tilt_rad), to_degrees(seen.pitch_rad), to_degrees(seen.roll_rad), seen.height_m));
+  }
+
   void note_rate() {
     if (recording_.size() < 2) {
       return;
@@ -197,6 +264,9 @@ class Run {
   std::optional<GivenPoses> given_poses_;
   std::vector<std::unique_ptr<Pipeline>> pipelines_;
   OutputFolder* output_ = nullptr;
+  std::optional<ScanTable> scan_table_;
+  std::optional<BoundaryTable> boundary_table_;
+  MountStatistics mount_;
   Trajectory trajectory_;
   RunTimes times_;
   RunSummary summary_;

@@ -1,6 +1,8 @@
 #include "run_report.hpp"
 
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -25,6 +27,17 @@ Json describe(const StageTimes& times) {
           {"p99_ms", round_ms(summary.p99_ms)},           {"max_ms", round_ms(summary.max_ms)}};
 }
 
+/// Scans with each kind of degradation; kinds without any are left out.
+Json describe(const std::array<std::size_t, kDegradations>& scans) {
+  Json json = Json::object();
+  for (std::size_t kind = 0; kind < kDegradations; ++kind) {
+    if (scans[kind] > 0) {
+      json[std::string(to_string(static_cast<Degradation>(kind)))] = scans[kind];
+    }
+  }
+  return json;
+}
+
 Json describe(const RunCounts& counts) {
   return {{"scans",
            {{"selected", counts.selected},
@@ -34,9 +47,39 @@ Json describe(const RunCounts& counts) {
           {"points",
            {{"total", counts.points},
             {"drivable", counts.drivable},
+            {"terrain", counts.terrain},
             {"obstacle", counts.obstacle},
+            {"falling_snow", counts.falling_snow},
             {"no_return", counts.no_return},
-            {"invalid", counts.invalid}}}};
+            {"invalid", counts.invalid}}},
+          {"degraded", describe(counts.degraded)}};
+}
+
+/// Degrees with two decimals.
+double degrees(double angle_rad) {
+  return std::round(angle_rad * 180.0 / std::numbers::pi * 100.0) / 100.0;
+}
+
+Json describe(const MountSummary& mount) {
+  Json json = {{"verdict", to_string(mount.verdict)}, {"scans_that_tell", mount.scans}};
+  if (mount.estimate) {
+    json["ground_tilt_deg"] = degrees(mount.estimate->tilt_rad);
+    json["pitch_off_deg"] = degrees(mount.estimate->pitch_rad);
+    json["roll_off_deg"] = degrees(mount.estimate->roll_rad);
+    json["height_m"] = std::round(mount.estimate->height_m * 1e3) / 1e3;
+  }
+  return json;
+}
+
+Json describe(const RunTimes& times) {
+  Json json = {{"read", describe(times.read)}};
+  for (std::size_t stage = 0; stage < kStages; ++stage) {
+    if (times.stages[stage].count() > 0) {
+      json[std::string(to_string(static_cast<Stage>(stage)))] = describe(times.stages[stage]);
+    }
+  }
+  json["write"] = describe(times.write);
+  return json;
 }
 
 Json describe(const Recording& recording, const RunOptions& options) {
@@ -64,35 +107,40 @@ double peak_memory_mib() {
 }  // namespace
 
 OutputResults run_results() {
-  return {
-      "run", "run.json", std::string("\"schema\": \"") + kRunSchemaName, {"trajectory.tum"}, {{"labels", ".label"}}};
+  return {"run",
+          "run.json",
+          std::string("\"schema\": \"") + kRunSchemaName,
+          {"trajectory.tum", "scans.csv", "boundary.csv"},
+          {{"labels", ".label"}}};
 }
 
 std::string write_run_report(const Recording& recording, const Machine& machine, const RunOptions& options,
-                             const RunSummary& summary, const RunTimes& times, bool has_trajectory) {
-  Json files = {{"labels", "labels"}};
-  if (has_trajectory) {
-    files["trajectory"] = "trajectory.tum";
+                             const RunSummary& summary, const RunTimes& times, const RunFiles& files) {
+  Json names = {{"labels", "labels"}, {"scans", "scans.csv"}};
+  if (files.boundary) {
+    names["boundary"] = "boundary.csv";
+  }
+  if (files.trajectory) {
+    names["trajectory"] = "trajectory.tum";
   }
   const bool whole = summary.counts.skipped == 0;
-  const Json report = {
-      {"schema", std::string(kRunSchemaName) + "/" + std::to_string(kRunSchemaVersion)},
-      {"schema_version", kRunSchemaVersion},
-      {"program", "berm"},
-      {"version", version()},
-      {"state", whole ? "whole" : "lossy"},
-      {"recording", describe(recording, options)},
-      {"machine_file", options.machine_file.string()},
-      {"machine", to_json(machine)},
-      {"files", files},
-      {"counts", describe(summary.counts)},
-      {"skipped", describe(summary.skipped)},
-      {"notes", summary.notes},
-      {"threads", options.threads},
-      {"stages",
-       {{"read", describe(times.read)}, {"ground", describe(times.ground)}, {"write", describe(times.write)}}},
-      {"wall_s", std::round(times.wall_s * 1e3) / 1e3},
-      {"peak_memory_mib", peak_memory_mib()}};
+  const Json report = {{"schema", std::string(kRunSchemaName) + "/" + std::to_string(kRunSchemaVersion)},
+                       {"schema_version", kRunSchemaVersion},
+                       {"program", "berm"},
+                       {"version", version()},
+                       {"state", whole ? "whole" : "lossy"},
+                       {"recording", describe(recording, options)},
+                       {"machine_file", options.machine_file.string()},
+                       {"machine", to_json(machine)},
+                       {"files", names},
+                       {"counts", describe(summary.counts)},
+                       {"mount", describe(summary.mount)},
+                       {"skipped", describe(summary.skipped)},
+                       {"notes", summary.notes},
+                       {"threads", options.threads},
+                       {"stages", describe(times)},
+                       {"wall_s", std::round(times.wall_s * 1e3) / 1e3},
+                       {"peak_memory_mib", peak_memory_mib()}};
   // Names of files may hold any bytes; what is no UTF-8 is replaced.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

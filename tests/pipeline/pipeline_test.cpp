@@ -26,15 +26,18 @@ TEST_P(PipelineTest, LabelsEveryPointAndCountsAddUp) {
   Pipeline pipeline(made_machine(GetParam()));
   for (const std::size_t points : {0U, 1U, 5U, 3000U}) {
     Scan scan{.cloud = test::made_cloud(0, points)};
-    const ScanLabels result = pipeline.process(scan);
+    const ScanResult result = pipeline.process(scan);
     ASSERT_EQ(result.labels.size(), points);
     const auto count = [&result](Label label) {
       return static_cast<std::size_t>(std::count(result.labels.begin(), result.labels.end(), label));
     };
-    EXPECT_EQ(count(Label::drivable), result.ground.ground);
-    EXPECT_EQ(count(Label::obstacle), result.ground.not_ground);
-    EXPECT_EQ(count(Label::no_return), result.ground.no_return);
-    EXPECT_EQ(count(Label::unlabeled), result.ground.invalid);
+    EXPECT_EQ(count(Label::drivable), result.counts.drivable);
+    EXPECT_EQ(count(Label::terrain), result.counts.terrain);
+    EXPECT_EQ(count(Label::obstacle), result.counts.obstacle);
+    EXPECT_EQ(count(Label::falling_snow), result.counts.falling_snow);
+    EXPECT_EQ(count(Label::no_return), result.counts.no_return);
+    EXPECT_EQ(count(Label::unlabeled), result.counts.invalid);
+    EXPECT_EQ(result.counts.points(), points);
   }
 }
 
@@ -46,7 +49,7 @@ TEST_P(PipelineTest, PointsThatAreNoneAreNeitherGroundNorObstacle) {
     channels.z[i] = nan;
   }
   Pipeline pipeline(made_machine(GetParam()));
-  const ScanLabels result = pipeline.process({.cloud = PointCloud(std::move(channels))});
+  const ScanResult result = pipeline.process({.cloud = PointCloud(std::move(channels))});
   for (std::size_t i = 0; i < 700; ++i) {
     const Label label = result.labels[i];
     if (i % 100 == 0) {

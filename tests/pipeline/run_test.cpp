@@ -75,16 +75,16 @@ TEST_F(RunTest, WritesOneLabelFileAScanAndTheReportLast) {
   EXPECT_FALSE(summary.interrupted);
 
   const auto files = files_below(out_);
-  EXPECT_EQ(files.size(), 5U);
+  EXPECT_EQ(files.size(), 6U) << "labels and scans.csv";
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(files.at("labels/" + test::scan_name(i) + ".label").size(), 4U * 700U);
   }
   const json report = report_of(out_);
-  EXPECT_EQ(report["schema_version"], 1);
+  EXPECT_EQ(report["schema_version"], 2);
   EXPECT_EQ(report["state"], "whole");
   EXPECT_EQ(report["machine"]["mount"]["height_m"], 1.7);
   EXPECT_EQ(report["counts"]["points"]["total"], 3500);
-  for (const char* stage : {"read", "ground", "write"}) {
+  for (const char* stage : {"read", "snow", "ground", "check", "write"}) {
     for (const char* figure : {"cpu_mean_ms", "mean_ms", "p50_ms", "p95_ms", "p99_ms", "max_ms"}) {
       EXPECT_TRUE(report["stages"][stage][figure].is_number()) << stage << " " << figure;
     }
@@ -116,7 +116,7 @@ TEST_F(RunTest, AnyNumberOfThreadsWritesTheSameBytes) {
   test::spill(recording_ / "scans/000008.pcd", "broken");
   static_cast<void>(run_it({.output = out_}));
   const auto expected = files_below(out_);
-  EXPECT_EQ(expected.size(), 16U);
+  EXPECT_EQ(expected.size(), 17U);
   for (const std::size_t threads : {1U, 2U, 4U, 9U}) {
     const fs::path out = folder_ / ("out" + std::to_string(threads));
     static_cast<void>(run_it({.output = out, .threads = threads}));
@@ -155,7 +155,7 @@ TEST_F(RunTest, FirstAndCountSelectScans) {
   test::make_recording(recording_, 6);
   EXPECT_EQ(run_it({.output = out_, .first = 2, .count = 3}).counts.selected, 3U);
   const auto files = files_below(out_);
-  EXPECT_EQ(files.size(), 3U);
+  EXPECT_EQ(files.size(), 4U);
   EXPECT_TRUE(files.contains("labels/000002.label"));
   EXPECT_TRUE(files.contains("labels/000004.label"));
   EXPECT_EQ(run_it({.output = folder_ / "rest", .first = 4, .count = 100}).counts.selected, 2U);
@@ -203,7 +203,7 @@ TEST_F(RunTest, ForceLeavesNoScanOfTheEarlierRun) {
   test::make_recording(recording_, 5);
   static_cast<void>(run_it({.output = out_}));
   static_cast<void>(run_it({.output = out_, .force = true, .first = 3}));
-  EXPECT_EQ(files_below(out_).size(), 2U);
+  EXPECT_EQ(files_below(out_ / "labels").size(), 2U);
 }
 
 TEST_F(RunTest, PosesOfTheBaseAreInterpolatedAtTheStamps) {

@@ -10,6 +10,10 @@
 #include "berm/ground/polar_ground.hpp"
 #include "berm/ground/terrain_ground.hpp"
 #include "berm/io/settings.hpp"
+#include "berm/piste/boundary_piste.hpp"
+#include "berm/piste/envelope_piste.hpp"
+#include "berm/snow/box_snow.hpp"
+#include "berm/snow/sparse_snow.hpp"
 
 namespace berm {
 
@@ -38,11 +42,17 @@ struct SensorConfig {
 
 /// Which method does each stage.
 struct MethodConfig {
+  std::string snow = "default";
   std::string ground = "default";
+  std::string piste = "none";
 
   static void fields(auto&& field) {
+    field("snow", &MethodConfig::snow, Choices{{"none", "default", "reference"}},
+          "default finds flakes by what surrounds them, reference is method P as published");
     field("ground", &MethodConfig::ground, Choices{{"default", "reference"}},
           "default follows the terrain, reference is method G as published");
+    field("piste", &MethodConfig::piste, Choices{{"none", "default", "reference"}},
+          "default finds the piste by its boundary, reference is method P as published");
   }
   void check() const { check_fields(*this, "methods"); }
 };
@@ -54,16 +64,24 @@ struct Machine {
   SensorConfig sensor;
   MountConfig mount;
   MethodConfig methods;
+  SparseSnowConfig snow;
+  BoxSnowConfig snow_reference;
   TerrainGroundConfig ground;
   PolarGroundConfig ground_reference;
+  BoundaryPisteConfig piste;
+  EnvelopePisteConfig piste_reference;
 
   static void sections(auto&& section) {
     section("machine", &Machine::machine);
     section("sensor", &Machine::sensor);
     section("mount", &Machine::mount);
     section("methods", &Machine::methods);
+    section("snow", &Machine::snow);
+    section("snow_reference", &Machine::snow_reference);
     section("ground", &Machine::ground);
     section("ground_reference", &Machine::ground_reference);
+    section("piste", &Machine::piste);
+    section("piste_reference", &Machine::piste_reference);
   }
   /// Throws ConfigError for the first value that is not allowed.
   void check() const;

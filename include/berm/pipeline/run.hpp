@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +11,8 @@
 
 #include "berm/io/recording.hpp"
 #include "berm/pipeline/machine.hpp"
+#include "berm/pipeline/mount_check.hpp"
+#include "berm/pipeline/scan_result.hpp"
 
 namespace berm {
 
@@ -41,23 +44,27 @@ struct RunCounts {
   std::size_t without_pose = 0;  ///< labelled scans without a line in trajectory.tum, where the recording has poses
   std::uint64_t points = 0;
   std::uint64_t drivable = 0;
+  std::uint64_t terrain = 0;
   std::uint64_t obstacle = 0;
+  std::uint64_t falling_snow = 0;
   std::uint64_t no_return = 0;
-  std::uint64_t invalid = 0;  ///< NaN or absurdly far
+  std::uint64_t invalid = 0;                          ///< NaN or absurdly far
+  std::array<std::size_t, kDegradations> degraded{};  ///< scans with each kind, by its number
 };
 
 struct RunSummary {
   RunCounts counts;
   std::vector<SkippedScan> skipped;  ///< the first `kListedSkips`
   std::vector<std::string> notes;
+  MountSummary mount;
   bool interrupted = false;  ///< `should_stop` ended it: run.json was not written
 
   static constexpr std::size_t kListedSkips = 1000;
 };
 
-/// Takes a recording through the chain and writes the files of a run (docs/command_line.md): labels, trajectory, and
-/// run.json last. A scan that cannot be read is skipped and counted. Same recording and machine, same bytes, but for
-/// the times in run.json.
+/// Takes a recording through the chain and writes the files of a run (docs/command_line.md): labels, scans.csv,
+/// boundary.csv with a piste method, the trajectory, and run.json last. A scan that cannot be read is skipped and
+/// counted. Same recording and machine, same bytes, but for the times in run.json.
 ///
 /// Throws Error: invalid_argument if `first` and `count` select nothing, exists or write_failed for the output, the
 /// first scan's error if no scan at all can be read; ConfigError as `Machine::check`.
