@@ -6,6 +6,15 @@
 #include "berm/sim/random.hpp"
 
 namespace berm::sim {
+namespace {
+
+/// std::floor is a call of the library unless built for newer processors.
+std::int64_t whole_below(double x) {
+  const auto towards_zero = static_cast<std::int64_t>(x);
+  return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
+}
+
+}  // namespace
 
 // Half of the nodes have nothing, the others up to four times the mean. They are
 // scaled so that the mean of the lattice is 1 and not about 1.
@@ -34,12 +43,10 @@ double Gusts::at(const Eigen::Vector3d& place_m, double time_s) const {
   }
   const double x = (place_m.x() - velocity_x_m_per_s_ * time_s) * nodes_per_m_;
   const double y = (place_m.y() - velocity_y_m_per_s_ * time_s) * nodes_per_m_;
-  const double floor_x = std::floor(x);
-  const double floor_y = std::floor(y);
-  const double right = x - floor_x;
-  const double up = y - floor_y;
-  const auto column = static_cast<std::int64_t>(floor_x);
-  const auto row = static_cast<std::int64_t>(floor_y);
+  const std::int64_t column = whole_below(x);
+  const std::int64_t row = whole_below(y);
+  const double right = x - static_cast<double>(column);
+  const double up = y - static_cast<double>(row);
   const double low = node(column, row) + right * (node(column + 1, row) - node(column, row));
   const double high = node(column, row + 1) + right * (node(column + 1, row + 1) - node(column, row + 1));
   return 1.0 - gustiness_ + gustiness_ * (low + up * (high - low));

@@ -31,6 +31,8 @@ class SnowfallTable {
 
   /// Expected number of flakes nearer than `range_m`.
   [[nodiscard]] double expected(double range_m) const;
+  /// The same at any range.
+  [[nodiscard]] double all() const { return expected_.back(); }
   /// The range before which `flakes` are expected; `flakes` is below `expected` of some range.
   [[nodiscard]] double range_of(double flakes) const;
   /// A flake at `range_m`, where one is found.

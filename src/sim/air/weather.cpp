@@ -58,28 +58,33 @@ class FlakeDensity {
   FlakeDensity(const SnowfallConfig& snowfall, const AirBeam& beam, double gust)
       : falling_(snowfall.flakes_per_m3 * gust),
         drifting_(snowfall.drift_flakes_per_m3 * gust),
-        drift_height_m_(snowfall.drift_height_m),
+        per_drift_height_(1.0 / snowfall.drift_height_m),
         height_m_(beam.height_m),
         slope_(beam.slope) {
-    most_ = drifting_ > 0.0 ? falling_ + drifting(std::min(height_m_, height_m_ + slope_ * beam.end_m)) : falling_;
+    first_ = at(0.0);
+    last_ = at(beam.end_m);
   }
 
-  [[nodiscard]] double most() const { return most_; }
+  /// It thins with height, hence one of the ends has the most.
+  [[nodiscard]] double most() const { return std::max(first_, last_); }
+  [[nodiscard]] double mean() const { return 0.5 * (first_ + last_); }
   [[nodiscard]] double at(double range_m) const {
     return drifting_ > 0.0 ? falling_ + drifting(height_m_ + slope_ * range_m) : falling_;
   }
 
  private:
   [[nodiscard]] double drifting(double height_m) const {
-    return drifting_ * std::exp(-std::max(height_m, 0.0) / drift_height_m_);
+    const double thinned = std::max(height_m, 0.0) * per_drift_height_;
+    return drifting_ * static_cast<double>(std::exp(-static_cast<float>(thinned)));
   }
 
   double falling_;
   double drifting_;
-  double drift_height_m_;
+  double per_drift_height_;
   double height_m_;
   double slope_;
-  double most_;
+  double first_;
+  double last_;
 };
 
 /// exp(-depth), to 4e-6 and without calling it where little is lost, as in most beams.
@@ -97,10 +102,15 @@ double apparent_reflectivity(const Flake& flake, const OpticsConfig& optics, Ran
 /// greatest density on the beam, of which as many are dropped as the density is lower where they lie.
 double nearest_flake_m(const SnowfallTable& table, const FlakeDensity& density, double end_m, Random& random) {
   const double most = density.most();
+  const double u = random.uniform();
+  // 1 - exp(-expected) is less than what is expected, and that on this beam less than on a long one: most beams need
+  // neither the logarithm nor the table.
+  if (u >= table.all() * most) {
+    return -1.0;
+  }
   const double expected = table.expected(end_m) * most;
-  double u = random.uniform();
   if (u >= expected) {
-    return -1.0;  // 1 - exp(-expected) is less: no need for the logarithm
+    return -1.0;
   }
   double flakes = -std::log(1.0 - u);
   while (flakes < expected) {
@@ -121,8 +131,7 @@ AirPath Weather::along(const AirBeam& beam, Random& random) const {
   if (snowfall.flakes_per_m3 > 0.0 || snowfall.drift_flakes_per_m3 > 0.0) {
     const double gust = air_->gusts.at(beam.origin_m + beam.direction * std::min(beam.end_m, kGustRange), beam.time_s);
     const FlakeDensity density(snowfall, beam, gust);
-    const double mean_density = (density.at(0.0) + density.at(beam.end_m)) / 2.0;
-    path.transmission = share_left(mean_density * air_->extinction_m2 * beam.end_m);
+    path.transmission = share_left(density.mean() * air_->extinction_m2 * beam.end_m);
     const double range_m = nearest_flake_m(air_->table, density, beam.end_m, random);
     if (range_m >= 0.0) {
       const Flake flake = air_->table.draw(range_m, random);
