@@ -217,7 +217,8 @@ MountCheckResult MountCheck::process(const PointsView& points, std::span<const s
   result.estimate =
       compare(T_base_sensor.rotation() * plane.normal.cast<double>(), static_cast<double>(plane.height_m));
   const double tilt_rad = result.estimate->tilt_rad;
-  if (tilt_rad > kWall_rad && tilt_rad < EIGEN_PI - kWall_rad) {
+  const bool wall = tilt_rad > kWall_rad && tilt_rad < EIGEN_PI - kWall_rad;
+  if (wall || plane.height_m < kLowest_m) {
     return {};
   }
   const bool plausible = tilt_rad < kMaxTilt_rad && fits(result.estimate->height_m, mount_height_m);
