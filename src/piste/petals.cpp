@@ -7,15 +7,19 @@ namespace berm {
 
 Petals::Petals(double min_rise_rad) : half_rise_tan_(static_cast<float>(std::tan(min_rise_rad / 2.0))) {}
 
+/// tan(phi / 2) = side / (r + x) = (r - x) / side: of the two the one that loses no digits, and right behind the sensor
+/// a large number.
 void Petals::measure_angles(const SeriesView& series) {
-  // Right behind the sensor r + x rounds to 0.
-  constexpr float kSmallestShare = 1e-6F;
+  constexpr float kRightBehind = 1e6F;
   half_tans_.resize(series.size());
   for (std::size_t i = 0; i < half_tans_.size(); ++i) {
     const float x = series.x[i];
     const float side_squared = series.y[i] * series.y[i] + series.z[i] * series.z[i];
+    const float side = std::sqrt(side_squared);
     const float r = std::sqrt(x * x + side_squared);
-    half_tans_[i] = std::sqrt(side_squared) / std::max(r + x, kSmallestShare * r);
+    const float numerator = x < 0.0F ? r - x : side;
+    const float denominator = x < 0.0F ? side : r + x;
+    half_tans_[i] = std::min(numerator / denominator, kRightBehind);
   }
 }
 
