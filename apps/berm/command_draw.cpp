@@ -2,6 +2,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +13,7 @@
 #include "berm/io/recording.hpp"
 #include "berm/pipeline/pipeline.hpp"
 #include "berm/pipeline/sensor_sheet.hpp"
+#include "berm/render/draw_figure.hpp"
 #include "berm/render/draw_scan.hpp"
 #include "berm/render/png.hpp"
 #include "commands.hpp"
@@ -26,9 +31,14 @@ constexpr const char* kExamples = R"(Examples:
   berm draw recording --run out --scan 000012 -o labels.png
   berm draw recording --run out --truth --view perspective -o right_and_wrong.png
   berm draw recording --machine groomer --view side -o - > side.png
+  berm draw recording --machine groomer --figure histogram -o intensities.png
+  berm draw recording --machine groomer --method piste=reference --figure waveform --first-point 4000 --points 1000 -o steps.png
 
 --machine labels the scan on the spot; --run takes the labels of a run, --truth those of the recording, and both
 together show where they agree.)";
+
+/// What is drawn of a scan.
+enum class Figure : std::uint8_t { scan, histogram, waveform };
 
 struct DrawCommand {
   Console console;
@@ -38,6 +48,9 @@ struct DrawCommand {
   std::string run_folder;
   bool truth = false;
   bool light = false;
+  Figure figure = Figure::scan;
+  std::size_t first_point = 0;
+  std::size_t points = 0;
   std::string output;
   DrawOptions options;
 };
@@ -69,9 +82,73 @@ Machine find_machine_of(const DrawCommand& command, const Recording& recording) 
   return chosen.machine;
 }
 
+/// The boundary of the piste as lines over the picture.
+std::vector<DrawnLine> boundary_lines(const PisteResult& piste, Background background) {
+  std::vector<DrawnLine> lines;
+  for (const auto side : {piste.left, piste.right}) {
+    DrawnLine line{.name = "boundary",
+                   .color = background == Background::dark ? Rgb{255, 255, 255} : Rgb{0, 0, 0},
+                   .vertices_m = {}};
+    for (const BoundaryPoint& point : side) {
+      line.vertices_m.emplace_back(point.x_m, point.y_m, point.z_m);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Image draw_labelled(const DrawCommand& command, const PointsView& points, std::span<const Label> labels,
+                    const DrawOptions& options) {
+  return command.figure == Figure::histogram ? draw_histogram(points, labels, options)
+                                             : draw_scan(points, labels, options);
+}
+
+Image draw_processed(const DrawCommand& command, const Scan& scan, const Machine& machine) {
+  Pipeline pipeline(machine);
+  const ScanResult result = pipeline.process(scan);
+  const PointsView points = scan.cloud.view();
+  if (command.figure != Figure::waveform) {
+    DrawOptions options = command.options;
+    options.lines = boundary_lines(result.piste, options.background);
+    return draw_labelled(command, points, result.labels, options);
+  }
+  std::vector<PointRange> envelopes;
+  for (const Envelope& envelope : result.piste.envelopes) {
+    envelopes.push_back({envelope.first, envelope.last});
+  }
+  return draw_waveform({.points = points,
+                        .labels = result.labels,
+                        .series = result.series,
+                        .steps = result.piste.steps,
+                        .envelopes = envelopes,
+                        .first = command.first_point,
+                        .count = command.points},
+                       command.options);
+}
+
+void check_figure(const DrawCommand& command, const Machine& machine, const PointsView& points) {
+  if (command.figure == Figure::histogram && points.intensity.empty()) {
+    throw UsageError("--figure histogram: the scan has no intensity");
+  }
+  if (command.figure != Figure::waveform) {
+    return;
+  }
+  if (!command.machine.is_given() || !command.run_folder.empty() || command.truth) {
+    throw UsageError("--figure waveform works on the spot: it needs --machine, and neither --run nor --truth");
+  }
+  if (machine.methods.piste == "none") {
+    throw UsageError("--figure waveform needs a piste method: add --method piste=default or piste=reference");
+  }
+  if (command.first_point >= points.size()) {
+    throw UsageError("--first-point " + std::to_string(command.first_point) + ": the scan has " +
+                     std::to_string(points.size()) + " points");
+  }
+}
+
 Image draw(const DrawCommand& command, const Recording& recording, const ScanEntry& entry, const Scan& scan,
            const Machine& machine) {
   const PointsView points = scan.cloud.view();
+  check_figure(command, machine, points);
   std::optional<RawLabels> output;
   std::optional<RawLabels> truth;
   if (!command.run_folder.empty()) {
@@ -83,17 +160,16 @@ Image draw(const DrawCommand& command, const Recording& recording, const ScanEnt
     }
     truth = read_labels(*entry.truth_labels, points.size());
   }
-  if (output && truth) {
+  if (output && truth && command.figure == Figure::scan) {
     return draw_classes(points, compare_ground(*output, *truth), kGroundComparison, command.options);
   }
   if (output || truth) {
-    return draw_scan(points, to_labels(output ? *output : *truth), command.options);
+    return draw_labelled(command, points, to_labels(output ? *output : *truth), command.options);
   }
   if (command.machine.is_given()) {
-    Pipeline pipeline(machine);
-    return draw_scan(points, pipeline.process(scan).labels, command.options);
+    return draw_processed(command, scan, machine);
   }
-  return draw_scan(points, {}, command.options);
+  return draw_labelled(command, points, {}, command.options);
 }
 
 int execute(DrawCommand& command) {
@@ -122,8 +198,20 @@ void add_picture_options(CLI::App& sub, DrawCommand& command) {
                                                  {"perspective", DrawView::perspective}};
   const std::map<std::string, DrawColor> colors = {
       {"label", DrawColor::label}, {"intensity", DrawColor::intensity}, {"height", DrawColor::height}};
+  const std::map<std::string, Figure> figures = {
+      {"scan", Figure::scan}, {"histogram", Figure::histogram}, {"waveform", Figure::waveform}};
   DrawOptions& options = command.options;
   // The choices stand in the type name: CLI11 would print them as {top->,side->}.
+  sub.add_option("--figure", command.figure,
+                 "The scan itself, how often which intensity comes back, or x and z over the firing order")
+      ->transform(CLI::CheckedTransformer(figures).description(""))
+      ->type_name("scan|histogram|waveform");
+  sub.add_option("--first-point", command.first_point, "Where a waveform begins, from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  sub.add_option("--points", command.points, "How many points of a waveform are shown; 0 all")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   sub.add_option("--view", options.view, "From where")
       ->transform(CLI::CheckedTransformer(views).description(""))
       ->type_name("top|side|front|perspective");

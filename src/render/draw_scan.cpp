@@ -189,12 +189,34 @@ void paint_points(Image& image, const ClassedScan& scan, const FlatScan& flat, c
   canvas.lay_over(image);
 }
 
-std::vector<LegendEntry> legend(const ClassedScan& scan, const ScaledValues* scaled) {
+void paint_lines(Image& image, const Window& window, const DrawOptions& options, const Flattening& flattening) {
+  const double width_px = 3.5 * FrameSizes(options).unit_px;
+  for (const DrawnLine& line : options.lines) {
+    std::optional<FlatPoint> last;
+    for (const Eigen::Vector3d& vertex_m : line.vertices_m) {
+      const std::optional<FlatPoint> flat = flattening.from_base(vertex_m);
+      if (last && flat) {
+        draw_line(image, window.pixel(last->h, last->v), window.pixel(flat->h, flat->v), width_px, line.color,
+                  window.box);
+      }
+      last = flat;
+    }
+  }
+}
+
+std::vector<LegendEntry> legend(const ClassedScan& scan, const ScaledValues* scaled, const DrawOptions& options) {
   std::vector<LegendEntry> entries;
   for (std::size_t k = 0; k < scan.classes.size(); ++k) {
     const bool has_place = k != scan.no_return && k != scan.invalid;
     if (scan.counts[k] > 0 && (scaled == nullptr || !has_place)) {
       entries.push_back({scan.classes[k].name + " " + count_text(scan.counts[k]), scan.classes[k].color});
+    }
+  }
+  for (const DrawnLine& line : options.lines) {
+    const bool known = std::any_of(entries.begin(), entries.end(),
+                                   [&line](const LegendEntry& entry) { return entry.text == line.name; });
+    if (!known && !line.vertices_m.empty()) {
+      entries.push_back({line.name, line.color});
     }
   }
   return entries;
@@ -223,7 +245,7 @@ Image draw(const ClassedScan& scan, const DrawOptions& options, bool by_class) {
   if (frame) {
     const LegendScale ends = scale_ends(values, by_intensity);
     const PixelBox inner =
-        plot_box(options, draw_header(image, options, legend(scan, scaled), by_class ? nullptr : &ends));
+        plot_box(options, draw_header(image, options, legend(scan, scaled, options), by_class ? nullptr : &ends));
     // In a picture of a thumb's size nothing is left beside the frame: then only the header is kept.
     constexpr int kSmallest_px = 32;
     frame = inner.width() >= kSmallest_px && inner.height() >= kSmallest_px;
@@ -234,6 +256,7 @@ Image draw(const ClassedScan& scan, const DrawOptions& options, bool by_class) {
     draw_grid(image, options, window, flattening);
   }
   paint_points(image, scan, flat, window, options, scaled);
+  paint_lines(image, window, options, flattening);
   if (frame) {
     draw_axes(image, options, window, flattening);
   }

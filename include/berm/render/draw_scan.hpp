@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "berm/core/label.hpp"
 #include "berm/core/point_cloud.hpp"
@@ -27,6 +28,13 @@ enum class DrawColor : std::uint8_t {
   height,     ///< its z after `T_base_sensor`
 };
 
+/// A line over the points, in the frame of the base; not in the front view.
+struct DrawnLine {
+  std::string name;  ///< for the legend; lines of one name stand there once
+  Rgb color;
+  std::vector<Eigen::Vector3d> vertices_m;
+};
+
 struct DrawOptions {
   DrawView view = DrawView::top;
   DrawColor color = DrawColor::label;
@@ -40,6 +48,7 @@ struct DrawOptions {
   Eigen::Vector3d eye_m{-14.0, 0.0, 9.0};    ///< perspective: place of the eye, frame of the base
   Eigen::Vector3d target_m{12.0, 0.0, 0.0};  ///< perspective: what it looks at, frame of the base
   double field_of_view_rad = 1.0;            ///< perspective: across the width of the picture
+  std::vector<DrawnLine> lines;
   bool shading = true;  ///< darkens a point behind the edge of a nearer one, so that shapes stand out
   bool frame = true;    ///< title, legend, axes, scale bar; without: the points alone fill the picture
 
