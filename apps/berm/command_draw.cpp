@@ -222,6 +222,7 @@ void add_picture_options(CLI::App& sub, DrawCommand& command) {
   sub.add_option("--height", options.height_px, "Height of the picture in pixels")->capture_default_str();
   sub.add_option("--range", options.range_m, "How far is shown, in m; 0 as far as most points are")
       ->capture_default_str();
+  sub.add_flag("--ahead", options.ahead, "Show nothing behind the sensor");
   sub.add_option("--title", options.title, "Text above the picture");
   sub.add_flag("--light", command.light, "Light background, for paper");
 }

@@ -173,7 +173,9 @@ void draw_scale_bar(Image& image, const DrawOptions& options, const Window& wind
   const double length_px = length_m * window.h_scale_px();
   const std::string text = number_text(length_m, length_m) + " m";
   const double inset_px = 18.0 * sizes.unit_px;
-  const double y = window.box.bottom - inset_px;
+  // The lower corner of a view from the side is where the ground lies.
+  const bool top = options.view == DrawView::top;
+  const double y = top ? window.box.bottom - inset_px : window.box.top + inset_px + 2.0 * sizes.text_px;
   const double left = window.box.left + inset_px;
   const double panel_px = 10.0 * sizes.unit_px;
   fill_box(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -19,6 +20,8 @@ constexpr double kNearest_m = 0.3;
 constexpr double kStrayShare = 0.015;
 /// How much larger than lengths the heights may be drawn. LiDAR scans are flat.
 constexpr double kMostExaggeration = 5.0;
+/// Looking ahead, this much of what is shown lies behind the origin, so that the sensor is seen.
+constexpr double kBehindShare = 0.05;
 
 Matrix3d look_at(const Vector3d& eye_m, const Vector3d& target_m) {
   const Vector3d ahead = (target_m - eye_m).normalized();
@@ -56,6 +59,15 @@ Interval spread(std::span<const FlatPoint> points, float FlatPoint::*member) {
   const double low_value = *low;
   std::nth_element(low, high, values.end());
   return {low_value, *high};
+}
+
+/// Spread of the heights of what the window shows.
+Interval heights_within(std::span<const FlatPoint> points, const Interval& h) {
+  std::vector<FlatPoint> shown;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(shown), [&h](const FlatPoint& point) {
+    return static_cast<double>(point.h) >= h.low && static_cast<double>(point.h) <= h.high;
+  });
+  return spread(shown, &FlatPoint::v);
 }
 
 /// Widens the shorter of the two until a unit of v is as long as one of h, or up to `most` times longer.
@@ -140,6 +152,14 @@ Window choose_window(std::span<const FlatPoint> points, const DrawOptions& optio
       if (options.view == DrawView::top) {
         v = h;
       }
+    }
+    Interval& along = options.view == DrawView::top ? v : h;
+    if (options.ahead && along.high > 0.0) {
+      along.low = -kBehindShare * along.high;
+    }
+    if (options.view == DrawView::side) {
+      v = heights_within(points, h);
+      v.include(options.T_base_sensor.translation_m().z());
     }
   }
   constexpr double kMargin = 1.06;

@@ -44,6 +44,7 @@ struct DrawOptions {
   std::string title;           ///< ASCII; anything else is drawn as '?'
   Pose T_base_sensor;          ///< levels the picture; the mount of the sensor. The front view does without.
   double range_m = 0.0;        ///< top, side: how far from the sensor is shown; 0: as far as most points are
+  bool ahead = false;          ///< top, side: nothing behind the sensor is shown
   double point_size_px = 0.0;  ///< side of a point's square; 0: by the number of points and the zoom
   Eigen::Vector3d eye_m{-14.0, 0.0, 9.0};    ///< perspective: place of the eye, frame of the base
   Eigen::Vector3d target_m{12.0, 0.0, 0.0};  ///< perspective: what it looks at, frame of the base
