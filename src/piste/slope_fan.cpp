@@ -16,19 +16,24 @@ SlopeFan::SlopeFan(const EnvelopePisteConfig& config)
 void SlopeFan::fill(const BaseSeries& series, std::span<const std::uint8_t> interpolated) {
   std::fill(cells_.begin(), cells_.end(), Cell{});
   const auto tan_half_angle = static_cast<float>(tan_half_angle_);
+  const std::span<const float> x = series.x();
+  const std::span<const float> y = series.y();
+  const std::span<const float> z = series.z();
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const float x = series.x()[i];
-    const float y = series.y()[i];
-    const bool in_fan = std::abs(y) <= tan_half_angle * x && interpolated[i] == 0 && std::isfinite(series.z()[i]);
-    const double distance_m = in_fan ? std::hypot(static_cast<double>(x), static_cast<double>(y)) : 0.0;
-    if (!in_fan || distance_m < min_m_ || distance_m >= max_m_) {
+    if (!(std::abs(y[i]) <= tan_half_angle * x[i]) || interpolated[i] != 0 || !std::isfinite(z[i])) {
+      continue;
+    }
+    const auto x_m = static_cast<double>(x[i]);
+    const auto y_m = static_cast<double>(y[i]);
+    const double distance_m = std::sqrt(x_m * x_m + y_m * y_m);
+    if (distance_m < min_m_ || distance_m >= max_m_) {
       continue;
     }
     const auto k = static_cast<std::size_t>((distance_m - min_m_) / cell_m_);
     Cell& cell = cells_[std::min(k, cells_.size() - 1)];
-    cell.x_m += static_cast<double>(x);
-    cell.y_m += static_cast<double>(y);
-    cell.z_m += static_cast<double>(series.z()[i]);
+    cell.x_m += x_m;
+    cell.y_m += y_m;
+    cell.z_m += static_cast<double>(z[i]);
     ++cell.points;
   }
   for (Cell& cell : cells_) {

@@ -5,29 +5,32 @@
 namespace berm {
 namespace {
 
+/// Adds 1 to the votes of every point for which `votes_for(own, other)`. A loop of its own, so that it is vectorised.
+template <typename VotesFor>
+void add_votes(std::span<const float> own, std::span<const float> other, std::span<std::uint8_t> votes,
+               VotesFor votes_for) {
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    votes[i] = static_cast<std::uint8_t>(votes[i] + (votes_for(own[i], other[i]) ? 1 : 0));
+  }
+}
+
 /// D_z of P eq. 3 (`side` -1) or U_z of P eq. 4 (`side` +1): neighbours on that side whose height differs.
 void count_z_votes(const BaseSeries& series, float threshold_m, int neighbours, int side,
                    std::vector<std::uint8_t>& votes) {
   votes.assign(series.size(), 0);
-  const std::span<const float> z = series.z();
   for (int k = 1; k <= neighbours; ++k) {
-    const std::span<const float> other = series.z_later(side * k);
-    for (std::size_t i = 0; i < z.size(); ++i) {
-      votes[i] = static_cast<std::uint8_t>(votes[i] + (std::abs(z[i] - other[i]) > threshold_m ? 1 : 0));
-    }
+    add_votes(series.z(), series.z_later(side * k), votes,
+              [threshold_m](float own, float other) { return std::abs(own - other) > threshold_m; });
   }
 }
 
 /// S_x of P eq. 6: neighbours on both sides that this point lies ahead of.
 void count_x_votes(const BaseSeries& series, float threshold_m, int neighbours, std::vector<std::uint8_t>& votes) {
   votes.assign(series.size(), 0);
-  const std::span<const float> x = series.x();
   for (int j = 0; j < neighbours; ++j) {
     for (const int side : {-1, 1}) {
-      const std::span<const float> other = series.x_later(side * (1 << j));
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        votes[i] = static_cast<std::uint8_t>(votes[i] + (x[i] - other[i] > threshold_m ? 1 : 0));
-      }
+      add_votes(series.x(), series.x_later(side * (1 << j)), votes,
+                [threshold_m](float own, float other) { return own - other > threshold_m; });
     }
   }
 }
@@ -35,10 +38,12 @@ void count_x_votes(const BaseSeries& series, float threshold_m, int neighbours, 
 }  // namespace
 
 void WaveformSteps::mark_z_steps(const BaseSeries& series, float threshold_m, const EnvelopePisteConfig& config) {
+  const std::span<std::uint8_t> steps = steps_;
   for (const int side : {-1, 1}) {
     count_z_votes(series, threshold_m, config.z_neighbours, side, votes_);
-    for (std::size_t i = 0; i < votes_.size(); ++i) {
-      steps_[i] = static_cast<std::uint8_t>(steps_[i] | (votes_[i] > config.z_votes ? 1 : 0));
+    const std::span<const std::uint8_t> votes = votes_;
+    for (std::size_t i = 0; i < votes.size(); ++i) {
+      steps[i] = votes[i] > config.z_votes ? 1 : steps[i];
     }
   }
 }
@@ -50,7 +55,7 @@ void WaveformSteps::mark_x_steps(const BaseSeries& series, float threshold_m, co
   const std::span<const float> after = series.x_later(1);
   for (std::size_t i = 0; i < votes_.size(); ++i) {
     const bool turns = x[i] >= before[i] && x[i] >= after[i];  // Inf of P eq. 7
-    steps_[i] = static_cast<std::uint8_t>(steps_[i] | (turns && votes_[i] > config.x_votes ? 1 : 0));
+    steps_[i] = turns && votes_[i] > config.x_votes ? 1 : steps_[i];
   }
 }
 
