@@ -1,23 +1,194 @@
 #include "berm/snow/sparse_snow.hpp"
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "near_points.hpp"
+#include "returns.hpp"
+#include "spread.hpp"
+
 namespace berm {
+namespace {
+
+constexpr int kLevels = 256;
+
+/// Points of a pole differ in range by so much of it, and by the noise.
+constexpr float kLineWindow = 0.01F;
+constexpr float kLineNoise_m = 0.02F;
+/// A thin pole fills at least so much of a cell.
+constexpr float kLineShare = 0.12F;
+
+/// Snow that is spread evenly is believed from this share of the near points on ...
+constexpr double kLeastShare = 0.0005;
+/// ... and a single heap from this one.
+constexpr double kHeapShare = 0.02;
+
+/// Looking for the level goes on until surfaces outweigh what was won by this share of the near points.
+constexpr float kLostShare = 0.01F;
+
+std::uint8_t level_of(float intensity) {
+  return static_cast<std::uint8_t>(intensity >= 255.0F ? 255.0F : (intensity > 0.0F ? intensity : 0.0F));
+}
+
+/// How alone a flake has to be.
+struct Demand {
+  float points;
+  float share;
+};
+
+}  // namespace
 
 struct SparseSnow::State {
+  explicit State(const SparseSnowConfig& c)
+      : config(c),
+        max_range_m(static_cast<float>(c.max_range_m)),
+        window(static_cast<float>(c.window)),
+        dark{static_cast<float>(c.dark_points), static_cast<float>(c.dark_share)},
+        bright{static_cast<float>(c.bright_points), static_cast<float>(c.bright_share)} {}
+
+  [[nodiscard]] bool stands_alone(std::size_t i, const Demand& demand) const;
+  void find_levels(std::span<const float> intensity);
+  [[nodiscard]] int find_dark_level();
+  [[nodiscard]] bool snow_shows_without_intensity() const;
+  void judge_all();
+  [[nodiscard]] bool is_snowfall() const;
+
+  SparseSnowConfig config;
+  float max_range_m;
+  float window;
+  Demand dark;
+  Demand bright;
+
+  NearPoints near;
+  std::array<std::uint32_t, kLevels> of_level{};
+  std::vector<std::uint8_t> level;  ///< of intensity, of every near point
+  std::vector<std::uint8_t> alone;  ///< whether a near point was found to be a flake
   std::vector<std::uint8_t> falling;
 };
 
-SparseSnow::SparseSnow(const SparseSnowConfig& config) : config_(config), state_(std::make_unique<State>()) {
+bool SparseSnow::State::stands_alone(std::size_t i, const Demand& demand) const {
+  const NearPoints::Block block = near.block_of(i);
+  const float range_m = near.range_m(i);
+  const float share = config.fade_with_range ? range_m / max_range_m : 0.0F;
+  const float most = (demand.points + demand.share * static_cast<float>(block.all)) * (1.0F - share * share);
+  const auto limit = static_cast<std::uint32_t>(std::ceil(most));
+  const std::uint32_t like = near.count_like(i, block, window * range_m, limit);
+  if (like >= limit) {
+    return false;
+  }
+  return !config.spare_lines || like < 2 ||
+         !near.lies_on_line(i, block, kLineWindow * range_m + kLineNoise_m, kLineShare);
+}
+
+void SparseSnow::State::find_levels(std::span<const float> intensity) {
+  of_level.fill(0);
+  level.resize(near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    level[i] = level_of(intensity[near.index(i)]);
+    ++of_level[level[i]];
+  }
+}
+
+/// Goes up the levels of intensity, in ever larger steps, and judges their points, until surfaces clearly outweigh
+/// flakes. The dark level is where the flakes won most; -1 if they never did.
+int SparseSnow::State::find_dark_level() {
+  const auto surface_weight = static_cast<float>(config.surface_weight);
+  const auto lost = kLostShare * static_cast<float>(near.size());
+  std::array<float, kLevels> won{};
+  float sum = 0.0F;
+  float best = 0.0F;
+  int best_level = -1;
+  std::size_t step = near.size() / 32 + 1;
+  for (int from = 0, end = 0; from < kLevels && sum >= best - lost; from = end, step *= 2) {
+    for (std::size_t taken = 0; end < kLevels && taken < step; ++end) {
+      taken += of_level[static_cast<std::size_t>(end)];
+    }
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      if (level[i] >= from && level[i] < end) {
+        alone[i] = stands_alone(i, dark) ? 1 : 0;
+        won[level[i]] += alone[i] != 0 ? 1.0F : -surface_weight;
+      }
+    }
+    for (int l = from; l < end; ++l) {
+      sum += won[static_cast<std::size_t>(l)];
+      if (sum > best) {
+        best = sum;
+        best_level = l;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    alone[i] = level[i] <= best_level ? alone[i] : std::uint8_t{0};
+  }
+  return best_level;
+}
+
+/// Looks at one point in sixteen, chosen by the bits of its range, so that the order of points does not matter.
+bool SparseSnow::State::snow_shows_without_intensity() const {
+  std::size_t seen = 0;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (std::bit_cast<std::uint32_t>(near.range_m(i)) * 2654435769U >> 28U == 0) {
+      ++seen;
+      found += stands_alone(i, bright) ? 1U : 0U;
+    }
+  }
+  return static_cast<double>(found) > kHeapShare * static_cast<double>(seen);
+}
+
+void SparseSnow::State::judge_all() {
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    alone[i] = stands_alone(i, bright) ? 1 : 0;
+  }
+}
+
+bool SparseSnow::State::is_snowfall() const {
+  Spread spread(near);
+  std::size_t marks = 0;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (alone[i] != 0) {
+      spread.add(near.sector(i));
+      ++marks;
+    }
+  }
+  const double needed = kLeastShare + kHeapShare * (1.0 - spread.evenness());
+  return !config.ask_for_spread || static_cast<double>(marks) >= needed * static_cast<double>(near.size());
+}
+
+SparseSnow::SparseSnow(const SparseSnowConfig& config) : config_(config) {
   config_.check();
+  state_ = std::make_unique<State>(config_);
 }
 
 SparseSnow::~SparseSnow() = default;
 
 SnowResult SparseSnow::process(const PointsView& points, const Pose& /*T_base_sensor*/) {
-  state_->falling.assign(points.size(), 0);
-  return {.falling = state_->falling, .count = 0, .limits = {}};
+  State& s = *state_;
+  const SnowLimits limits = find_limits(points);
+  s.falling.assign(points.size(), 0);
+  s.near.build(points, s.max_range_m);
+  s.alone.assign(s.near.size(), 0);
+  if (limits.no_intensity || !config_.use_intensity) {
+    s.judge_all();
+  } else {
+    s.find_levels(points.intensity);
+    if (s.find_dark_level() < 0 && s.snow_shows_without_intensity()) {
+      s.judge_all();
+    }
+  }
+  std::size_t count = 0;
+  if (s.is_snowfall()) {
+    for (std::size_t i = 0; i < s.near.size(); ++i) {
+      s.falling[s.near.index(i)] = s.alone[i];
+      count += s.alone[i];
+    }
+  }
+  return {.falling = s.falling, .count = count, .limits = limits};
 }
 
 }  // namespace berm

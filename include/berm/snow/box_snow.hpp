@@ -19,7 +19,8 @@ struct BoxSnowConfig {
     field("max_x_m", &BoxSnowConfig::max_x_m, Range{0.0, 100.0}, "and nearer than this");
     field("max_intensity", &BoxSnowConfig::max_intensity, Range{0.0, 255.0}, "and send back no more than this");
   }
-  void check() const { check_fields(*this, "snow_reference"); }
+  /// Throws ConfigError for a value outside its range, or a box without room.
+  void check() const;
 };
 
 /// Falling snow as document P finds it (`--method snow=reference`): near and dark points are flakes.

@@ -1,0 +1,46 @@
+#include "returns.hpp"
+
+#include <cmath>
+
+namespace berm {
+namespace {
+
+/// No sensor sees 10 km; coordinates beyond are noise of a broken file.
+constexpr float kAbsurd_m = 1e4F;
+
+bool has_no_return(const PointsView& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_no_return(points.x[i], points.y[i], points.z[i])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool has_two_intensities(const PointsView& points) {
+  float first = std::nanf("");
+  for (std::size_t i = 0; i < points.intensity.size(); ++i) {
+    const float intensity = points.intensity[i];
+    if (std::isfinite(intensity) && is_usable(points.x[i], points.y[i], points.z[i])) {
+      if (std::isnan(first)) {
+        first = intensity;
+      } else if (intensity != first) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_usable(float x_m, float y_m, float z_m) {
+  const bool sane = std::fabs(x_m) < kAbsurd_m && std::fabs(y_m) < kAbsurd_m && std::fabs(z_m) < kAbsurd_m;
+  return sane && !(x_m == 0.0F && y_m == 0.0F && z_m == 0.0F);
+}
+
+SnowLimits find_limits(const PointsView& points) {
+  return {.no_intensity = !has_two_intensities(points), .no_returns_dropped = !has_no_return(points)};
+}
+
+}  // namespace berm
