@@ -63,39 +63,32 @@ float straighten(float bent) {
 
 }  // namespace
 
-DirectionCells::DirectionCells(int side) : side_(side) {}
+DirectionCells::DirectionCells(int shift) : bits_(kFinestBits - shift) {}
 
 void DirectionCells::locate(const PointsView& points, std::span<std::uint16_t> cell, std::span<float> range_m) const {
-  locate_all(points.x.data(), points.y.data(), points.z.data(), points.size(), side_, nowhere(), cell.data(),
+  locate_all(points.x.data(), points.y.data(), points.z.data(), points.size(), side(), nowhere(), cell.data(),
              range_m.data());
 }
 
-bool DirectionCells::is_inner(std::uint16_t cell) const {
-  const int column = cell % side_;
-  const int row = cell / side_ % side_;
-  return column > 0 && column < side_ - 1 && row > 0 && row < side_ - 1;
-}
-
 /// A place beyond the edge of a face still has a direction, and that lies on another face.
-std::uint16_t DirectionCells::at(int face, int row, int column) const {
-  const auto side = static_cast<float>(side_);
-  const float u = straighten((2.0F * static_cast<float>(column) + 1.0F) / side - 1.0F);
-  const float v = straighten((2.0F * static_cast<float>(row) + 1.0F) / side - 1.0F);
-  const float main = face % 2 == 0 ? 1.0F : -1.0F;
+std::uint16_t DirectionCells::at(int face_of, int row_of, int column_of) const {
+  const auto cells = static_cast<float>(side());
+  const float u = straighten((2.0F * static_cast<float>(column_of) + 1.0F) / cells - 1.0F);
+  const float v = straighten((2.0F * static_cast<float>(row_of) + 1.0F) / cells - 1.0F);
+  const float main = face_of % 2 == 0 ? 1.0F : -1.0F;
   const std::array<float, 3> on_x = {main, u, v};
   const std::array<float, 3> on_y = {u, main, v};
   const std::array<float, 3> on_z = {u, v, main};
-  const std::array<float, 3>& d = face / 2 == 0 ? on_x : (face / 2 == 1 ? on_y : on_z);
-  return static_cast<std::uint16_t>(place_of(d[0], d[1], d[2], side_, nowhere()).cell);
+  const std::array<float, 3>& d = face_of / 2 == 0 ? on_x : (face_of / 2 == 1 ? on_y : on_z);
+  return static_cast<std::uint16_t>(place_of(d[0], d[1], d[2], side(), nowhere()).cell);
 }
 
 std::array<std::uint16_t, 9> DirectionCells::block(std::uint16_t cell) const {
-  const int column = cell % side_;
-  const int row = cell / side_ % side_;
-  const int face = cell / side_ / side_;
   std::array<std::uint16_t, 9> cells{};
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::uint16_t found = at(face, row + static_cast<int>(i / 3) - 1, column + static_cast<int>(i % 3) - 1);
+    const int down = static_cast<int>(i / 3) - 1;
+    const int right = static_cast<int>(i % 3) - 1;
+    const std::uint16_t found = at(face(cell), row(cell) + down, column(cell) + right);
     const auto end = cells.begin() + static_cast<std::ptrdiff_t>(i);
     cells[i] = std::find(cells.begin(), end, found) == end ? found : nowhere();
   }

@@ -47,23 +47,40 @@ class NearPoints {
   [[nodiscard]] bool lies_on_line(std::size_t i, const Block& block, float tolerance_m, float share) const;
 
  private:
+  struct Counts {
+    std::uint32_t all = 0;   ///< returns
+    std::uint32_t near = 0;  ///< near ones
+  };
+  /// Ranges from `low` to `low + width`, in steps.
+  struct Band {
+    std::uint16_t low;
+    std::uint16_t width;
+  };
+
+  void clear_counts();
   void gather(const PointsView& points, float max_range_m);
   void look_where_returns_are();
   void coarsen(int shift);
   void sort();
+  [[nodiscard]] Band band_of(std::size_t i, float tolerance_m) const;
+  /// Near points of the cells first .. last, which follow one another, within the band.
+  [[nodiscard]] std::uint32_t count_in(std::uint16_t first, std::uint16_t last, Band band) const;
 
   DirectionCells cells_;
   std::size_t size_ = 0;
   std::size_t sectors_seen_ = 0;
   double returns_per_block_ = 0.0;
+  float steps_per_m_ = 1.0F;
   std::array<bool, DirectionCells::kFaces> face_used_{};
   std::vector<std::uint16_t> cell_of_point_;
   std::vector<float> range_of_point_;
-  std::vector<std::uint32_t> all_;    ///< returns of a cell
-  std::vector<std::uint32_t> near_;   ///< near points of a cell; while sorting its next free place
-  std::vector<std::uint32_t> fine_;   ///< `all_` of the finest cells
-  std::vector<std::uint32_t> begin_;  ///< of the near points of a cell in `sorted_`; one more than cells
-  std::vector<float> sorted_;         ///< ranges of near points, by cell
+  std::vector<Counts> counts_;  ///< of the points of a cell
+  /// Sums of `Counts` while gathering, two of every cell, for points of even and of odd number: neighbours in firing
+  /// order often share a cell, and so need not wait for each other's memory.
+  std::vector<std::uint64_t> banks_;
+  std::vector<std::uint32_t> begin_;  ///< of the near points of a cell in `sorted_`
+  std::vector<std::uint32_t> end_;
+  std::vector<std::uint16_t> sorted_;  ///< ranges of near points in steps, by cell
   std::vector<std::uint32_t> index_;
   std::vector<float> range_m_;
   std::vector<std::uint16_t> cell_;

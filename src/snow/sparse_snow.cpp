@@ -31,8 +31,9 @@ constexpr double kHeapShare = 0.02;
 /// Looking for the level goes on until surfaces outweigh what was won by this share of the near points.
 constexpr float kLostShare = 0.01F;
 
+/// NaN is as dark as nothing.
 std::uint8_t level_of(float intensity) {
-  return static_cast<std::uint8_t>(intensity >= 255.0F ? 255.0F : (intensity > 0.0F ? intensity : 0.0F));
+  return static_cast<std::uint8_t>(std::min(255.0F, std::max(0.0F, intensity)));
 }
 
 /// How alone a flake has to be.
@@ -65,9 +66,10 @@ struct SparseSnow::State {
   Demand bright;
 
   NearPoints near;
-  std::array<std::uint32_t, kLevels> of_level{};
-  std::vector<std::uint8_t> level;  ///< of intensity, of every near point
-  std::vector<std::uint8_t> alone;  ///< whether a near point was found to be a flake
+  std::vector<std::uint8_t> level;                       ///< of intensity, of every near point
+  std::array<std::uint32_t, kLevels + 1> level_begin{};  ///< of a level in `by_level`
+  std::vector<std::uint32_t> by_level;                   ///< near points, sorted by level
+  std::vector<std::uint8_t> alone;                       ///< whether a near point was found to be a flake
   std::vector<std::uint8_t> falling;
 };
 
@@ -86,44 +88,48 @@ bool SparseSnow::State::stands_alone(std::size_t i, const Demand& demand) const 
 }
 
 void SparseSnow::State::find_levels(std::span<const float> intensity) {
-  of_level.fill(0);
+  // Two sums of each level, so that neighbours of one level need not wait for each other.
+  std::array<std::array<std::uint32_t, kLevels>, 2> counts{};
   level.resize(near.size());
   for (std::size_t i = 0; i < near.size(); ++i) {
     level[i] = level_of(intensity[near.index(i)]);
-    ++of_level[level[i]];
+    ++counts[i % 2][level[i]];
+  }
+  std::array<std::uint32_t, kLevels> place{};
+  for (std::size_t l = 0; l < kLevels; ++l) {
+    place[l] = level_begin[l];
+    level_begin[l + 1] = level_begin[l] + counts[0][l] + counts[1][l];
+  }
+  by_level.resize(near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    by_level[place[level[i]]++] = static_cast<std::uint32_t>(i);
   }
 }
 
-/// Goes up the levels of intensity, in ever larger steps, and judges their points, until surfaces clearly outweigh
-/// flakes. The dark level is where the flakes won most; -1 if they never did.
+/// Goes up the levels of intensity and judges their points, until surfaces clearly outweigh flakes. The dark level is
+/// where the flakes won most; -1 if they never did.
 int SparseSnow::State::find_dark_level() {
   const auto surface_weight = static_cast<float>(config.surface_weight);
   const auto lost = kLostShare * static_cast<float>(near.size());
-  std::array<float, kLevels> won{};
   float sum = 0.0F;
   float best = 0.0F;
   int best_level = -1;
-  std::size_t step = near.size() / 32 + 1;
-  for (int from = 0, end = 0; from < kLevels && sum >= best - lost; from = end, step *= 2) {
-    for (std::size_t taken = 0; end < kLevels && taken < step; ++end) {
-      taken += of_level[static_cast<std::size_t>(end)];
+  for (std::size_t l = 0; l < kLevels; ++l) {
+    for (std::size_t k = level_begin[l]; k < level_begin[l + 1]; ++k) {
+      const bool found = stands_alone(by_level[k], dark);
+      alone[by_level[k]] = found ? 1 : 0;
+      sum += found ? 1.0F : -surface_weight;
     }
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      if (level[i] >= from && level[i] < end) {
-        alone[i] = stands_alone(i, dark) ? 1 : 0;
-        won[level[i]] += alone[i] != 0 ? 1.0F : -surface_weight;
-      }
+    if (sum > best) {
+      best = sum;
+      best_level = static_cast<int>(l);
     }
-    for (int l = from; l < end; ++l) {
-      sum += won[static_cast<std::size_t>(l)];
-      if (sum > best) {
-        best = sum;
-        best_level = l;
-      }
+    if (sum < best - lost) {
+      break;
     }
   }
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    alone[i] = level[i] <= best_level ? alone[i] : std::uint8_t{0};
+  for (std::size_t k = level_begin[static_cast<std::size_t>(best_level + 1)]; k < near.size(); ++k) {
+    alone[by_level[k]] = 0;
   }
   return best_level;
 }
