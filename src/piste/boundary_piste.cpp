@@ -1,24 +1,176 @@
 #include "berm/piste/boundary_piste.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "bearing_grid.hpp"
+#include "boundary_evidence.hpp"
+#include "boundary_seam.hpp"
+#include "level_points.hpp"
+#include "piste_surface.hpp"
+#include "trace_windows.hpp"
+#include "traces.hpp"
+#include "way_ahead.hpp"
+
 namespace berm {
+namespace {
+
+using bearing_grid::kBins;
+using bearing_grid::kSectors;
+
+constexpr float kFirstSurface_m = 14.0F;  // the surface is fitted to this before a boundary is known
+constexpr int kEdgeBins = 4;              // the sign of a boundary lies within this many bins beyond it
+constexpr float kSure = 12.0F;            // evidence that leaves no doubt
+
+std::size_t wrap(int sector) {
+  return static_cast<std::size_t>((sector % kSectors + kSectors) % kSectors);
+}
+
+}  // namespace
 
 struct BoundaryPiste::State {
+  explicit State(const BoundaryPisteConfig& settings)
+      : config(settings),
+        evidence(settings),
+        seam(settings.jump_cost, settings.max_jump_bins),
+        obstacle_ahead(settings) {}
+
+  void find_boundary(const PisteInput& input);
+  void relabel(std::span<const Label> input);
+  void trace_boundary(const Pose& T_base_level);
+  void add_vertex(int sector, const Pose& T_base_level, std::vector<BoundaryPoint>& side) const;
+  [[nodiscard]] double piste_ends_ahead_m(const Pose& T_base_level) const;
+
+  BoundaryPisteConfig config;
+  bearing_grid::SectorTable sectors;
+  LevelPoints level;
+  TraceFinder traces;
+  TraceWindows windows;
+  PisteSurface surface;
+  BoundaryEvidence evidence;
+  BoundarySeam seam;
+  ObstacleAhead obstacle_ahead;
+  std::span<const int> bound;
+  std::array<float, kSectors> bound_squared_m2{};
   std::vector<Label> labels;
+  std::vector<BoundaryPoint> left;
+  std::vector<BoundaryPoint> right;
 };
 
-BoundaryPiste::BoundaryPiste(const BoundaryPisteConfig& config) : config_(config), state_(std::make_unique<State>()) {
-  config_.check();
+BoundaryPiste::BoundaryPiste(const BoundaryPisteConfig& config) {
+  config.check();
+  state_ = std::make_unique<State>(config);
 }
 
 BoundaryPiste::~BoundaryPiste() = default;
 
 PisteResult BoundaryPiste::process(const PisteInput& input) {
-  state_->labels.assign(input.labels.begin(), input.labels.end());
+  State& state = *state_;
+  const Pose T_level_sensor = input.surface != nullptr ? input.surface->T_level_sensor() : input.T_base_sensor;
+  const Pose T_base_level = input.T_base_sensor * T_level_sensor.inverse();
+  state.level.fill(input.points, T_level_sensor);
+  state.find_boundary(input);
+  state.relabel(input.labels);
+  state.trace_boundary(T_base_level);
   PisteResult result;
-  result.labels = state_->labels;
+  result.labels = state.labels;
+  result.left = state.left;
+  result.right = state.right;
+  result.slope = find_slope_ahead(state.surface, T_base_level, state.piste_ends_ahead_m(T_base_level));
+  result.obstacle_ahead_m = state.obstacle_ahead.find(input.labels, state.level, state.surface, T_base_level);
   return result;
+}
+
+/// The surface and the boundary need each other: the first surface is that of what lies just ahead.
+void BoundaryPiste::State::find_boundary(const PisteInput& input) {
+  const Traces& found = traces.process(input.points, input.labels, level, sectors);
+  cut_windows(found, config.window_m, windows);
+  evidence.set_windows(windows, level, found.kind == TraceKind::radial, sectors);
+  evidence.add_obstacles(input.labels, level, sectors);
+  surface.reset();
+  const PisteSurface::Noise noise{.height_m = config.height_noise_m, .slope = config.slope_noise};
+  for (int pass = 0; pass < config.passes; ++pass) {
+    const auto inside = pass == 0 ? evidence.find_near(windows, kFirstSurface_m) : evidence.find_inside(bound);
+    surface.fit(windows, inside, noise);
+    evidence.weigh(windows, surface);
+    bound = seam.find(evidence.cells(), evidence.seen());
+  }
+}
+
+void BoundaryPiste::State::relabel(std::span<const Label> input) {
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const float range_m = bearing_grid::range_of(bound[sector]);
+    bound_squared_m2[sector] = range_m * range_m;
+  }
+  labels.assign(input.begin(), input.end());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == Label::drivable &&
+        level.x[i] * level.x[i] + level.y[i] * level.y[i] >=
+            bound_squared_m2[static_cast<std::size_t>(sectors(level.x[i], level.y[i]))]) {
+      labels[i] = Label::terrain;
+    }
+  }
+}
+
+/// The piste leaves the view where its boundary is farthest: what lies to the left of that is the left side.
+void BoundaryPiste::State::trace_boundary(const Pose& T_base_level) {
+  left.clear();
+  right.clear();
+  const BoundarySeam::Arc arc = seam.arc();
+  int farthest = arc.first;
+  for (int i = 0; i < arc.count; ++i) {
+    if (bound[wrap(arc.first + i)] > bound[wrap(farthest)]) {
+      farthest = arc.first + i;
+    }
+  }
+  for (int sector = arc.first; sector < farthest; ++sector) {
+    add_vertex(sector, T_base_level, right);
+  }
+  for (int sector = arc.first + arc.count - 1; sector > farthest; --sector) {
+    add_vertex(sector, T_base_level, left);
+  }
+}
+
+/// Only where something marks the boundary: elsewhere the seam spans a gap, or the end of what is seen.
+void BoundaryPiste::State::add_vertex(int sector, const Pose& T_base_level, std::vector<BoundaryPoint>& side) const {
+  const std::size_t place = wrap(sector);
+  const int bin = bound[place];
+  float sign = 0.0F;
+  for (int i = bin; i < std::min(bin + kEdgeBins, kBins); ++i) {
+    sign += std::max(evidence.cells()[place * kBins + static_cast<std::size_t>(i)], 0.0F);
+  }
+  if (sign <= 0.0F) {
+    return;
+  }
+  const float range_m = bearing_grid::range_of(bin);
+  const float bearing_rad = bearing_grid::bearing_of(static_cast<int>(place));
+  const float x = range_m * std::cos(bearing_rad);
+  const float y = range_m * std::sin(bearing_rad);
+  const Eigen::Vector3d vertex = T_base_level * Eigen::Vector3d(double{x}, double{y}, double{surface.height_m(x, y)});
+  side.push_back({.x_m = static_cast<float>(vertex.x()),
+                  .y_m = static_cast<float>(vertex.y()),
+                  .z_m = static_cast<float>(vertex.z()),
+                  .confidence = std::min(sign / kSure, 1.0F)});
+}
+
+/// Nearest end of the piste within P's 7 degrees of straight ahead.
+double BoundaryPiste::State::piste_ends_ahead_m(const Pose& T_base_level) const {
+  constexpr int kSectorsAside = 3;
+  if (windows.size() == 0) {
+    return 0.0;
+  }
+  const Eigen::Matrix3d R_base_level = T_base_level.rotation().toRotationMatrix();
+  const int ahead = sectors(static_cast<float>(R_base_level(0, 0)), static_cast<float>(R_base_level(0, 1)));
+  int end = kBins;
+  for (int sector = ahead - kSectorsAside; sector <= ahead + kSectorsAside; ++sector) {
+    end = std::min(end, bound[wrap(sector)]);
+  }
+  return double{bearing_grid::range_of(end)};
 }
 
 }  // namespace berm

@@ -1,6 +1,7 @@
 #include "waveform_steps.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 namespace berm {
 namespace {
@@ -15,7 +16,7 @@ void add_votes(std::span<const float> own, std::span<const float> other, std::sp
 }
 
 /// D_z of P eq. 3 (`side` -1) or U_z of P eq. 4 (`side` +1): neighbours on that side whose height differs.
-void count_z_votes(const BaseSeries& series, float threshold_m, int neighbours, int side,
+void count_z_votes(const BaseSeries& series, float threshold_m, int neighbours, std::ptrdiff_t side,
                    std::vector<std::uint8_t>& votes) {
   votes.assign(series.size(), 0);
   for (int k = 1; k <= neighbours; ++k) {
@@ -28,7 +29,7 @@ void count_z_votes(const BaseSeries& series, float threshold_m, int neighbours, 
 void count_x_votes(const BaseSeries& series, float threshold_m, int neighbours, std::vector<std::uint8_t>& votes) {
   votes.assign(series.size(), 0);
   for (int j = 0; j < neighbours; ++j) {
-    for (const int side : {-1, 1}) {
+    for (const std::ptrdiff_t side : {-1, 1}) {
       add_votes(series.x(), series.x_later(side * (1 << j)), votes,
                 [threshold_m](float own, float other) { return own - other > threshold_m; });
     }
@@ -39,7 +40,7 @@ void count_x_votes(const BaseSeries& series, float threshold_m, int neighbours, 
 
 void WaveformSteps::mark_z_steps(const BaseSeries& series, float threshold_m, const EnvelopePisteConfig& config) {
   const std::span<std::uint8_t> steps = steps_;
-  for (const int side : {-1, 1}) {
+  for (const std::ptrdiff_t side : {-1, 1}) {
     count_z_votes(series, threshold_m, config.z_neighbours, side, votes_);
     const std::span<const std::uint8_t> votes = votes_;
     for (std::size_t i = 0; i < votes.size(); ++i) {

@@ -1,0 +1,199 @@
+#include "boundary_evidence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace berm {
+namespace {
+
+using bearing_grid::kBins;
+using bearing_grid::kSectors;
+
+// Ranges that show how groomed snow looks today: what the machine is about to drive over.
+constexpr float kNear_m = 12.0F;
+constexpr float kSlopesFrom_m = 8.0F;
+constexpr float kSlopesTo_m = 20.0F;
+constexpr std::size_t kMinSamples = 8;
+constexpr float kMinSlopeLength_m = 0.25F;
+constexpr float kRobustSigma = 1.48F;  // of a median of absolute values
+
+// Evidence is a log likelihood ratio: sigmas squared over two, less what on-piste snow reaches by chance; bounded, as
+// a single window may be a clod or a hole.
+constexpr float kMostFor = 3.0F;
+constexpr float kHeightAgainst = -0.3F;
+constexpr float kSlopeAgainst = -0.5F;
+constexpr float kRoughAgainst = -1.0F;
+constexpr float kCellFor = 4.0F;
+constexpr float kCellAgainst = -2.0F;
+constexpr float kPerObstaclePoint = 0.5F;
+constexpr float kObstaclesFor = 2.0F;
+constexpr float kUnseen = -0.001F;  // a cell that nobody saw: the boundary lies beyond rather than before it
+
+float log_ratio(float sigmas, float least) {
+  return std::clamp(0.5F * sigmas * sigmas - 2.0F, least, kMostFor);
+}
+
+/// Reorders `values`.
+float median(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::size_t cell_of(std::size_t sector, std::size_t bin) {
+  return sector * kBins + bin;
+}
+
+}  // namespace
+
+BoundaryEvidence::BoundaryEvidence(const BoundaryPisteConfig& config)
+    : config_(config), cells_(std::size_t{kSectors} * kBins), obstacles_(cells_.size()), seen_(kSectors) {}
+
+void BoundaryEvidence::set_windows(const TraceWindows& windows, const LevelPoints& level, bool is_radial,
+                                   const bearing_grid::SectorTable& sectors) {
+  const std::size_t size = windows.size();
+  sector_.resize(size);
+  bin_.resize(size);
+  inside_.resize(size);
+  expected_m2_.resize(size);
+  std::fill(seen_.begin(), seen_.end(), std::uint8_t{0});
+  const float h = level.sensor_height_m;
+  const auto noise = static_cast<float>(config_.range_noise_m);
+  const auto floor = static_cast<float>(config_.roughness_m);
+  const auto curvature = static_cast<float>(config_.curvature);
+  // Without an order of firing, points of a window were measured at times apart, and the machine moved between.
+  const float tremble_rad = is_radial ? static_cast<float>(config_.tremble_mrad) * 1e-3F : 0.0F;
+  scratch_.clear();
+  for (std::size_t i = 0; i < size; ++i) {
+    const float range2 = windows.range_m[i] * windows.range_m[i];
+    sector_[i] = static_cast<std::uint8_t>(sectors(windows.x[i], windows.y[i]));
+    bin_[i] = static_cast<std::uint8_t>(bearing_grid::bin_of(range2));
+    seen_[sector_[i]] = 1;
+    // Noise of the range moves a point along its beam: by its sine with the ground up or down.
+    const float rise = noise * h / std::sqrt(range2 + h * h);
+    const float bow = curvature * windows.length_m[i] * windows.length_m[i] / 12.0F;
+    const float tremble = tremble_rad * windows.range_m[i];
+    expected_m2_[i] = rise * rise + floor * floor + bow * bow + tremble * tremble;
+    if (windows.range_m[i] < kNear_m) {
+      scratch_.push_back(windows.variance_m2[i] / expected_m2_[i]);
+    }
+  }
+  if (config_.adapt && scratch_.size() >= kMinSamples) {
+    const float scale = std::clamp(median(scratch_), 0.5F, 100.0F);
+    for (float& expected : expected_m2_) {
+      expected *= scale;
+    }
+  }
+}
+
+std::span<const std::uint8_t> BoundaryEvidence::find_inside(std::span<const int> bound) {
+  for (std::size_t i = 0; i < inside_.size(); ++i) {
+    inside_[i] = bin_[i] < bound[sector_[i]] ? 1 : 0;
+  }
+  return inside_;
+}
+
+std::span<const std::uint8_t> BoundaryEvidence::find_near(const TraceWindows& windows, float range_m) {
+  for (std::size_t i = 0; i < inside_.size(); ++i) {
+    inside_[i] = windows.range_m[i] < range_m ? 1 : 0;
+  }
+  return inside_;
+}
+
+void BoundaryEvidence::weigh(const TraceWindows& windows, const PisteSurface& surface) {
+  compare(windows, surface);
+  adapt(windows);
+  std::fill(cells_.begin(), cells_.end(), 0.0F);
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    cells_[cell_of(sector_[i], bin_[i])] += weigh_window(windows, i);
+  }
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const float obstacles = std::min(obstacles_[i], kObstaclesFor);
+    cells_[i] = std::clamp(cells_[i] + obstacles, kCellAgainst, kCellFor) + kUnseen;
+  }
+}
+
+void BoundaryEvidence::compare(const TraceWindows& windows, const PisteSurface& surface) {
+  height_residual_.resize(windows.size());
+  slope_residual_.resize(windows.size());
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    height_residual_[i] = std::abs(windows.z[i] - surface.height_m(windows.x[i], windows.y[i]));
+    slope_residual_[i] =
+        std::abs(windows.slope[i] - surface.slope(windows.x[i], windows.y[i], windows.along_x[i], windows.along_y[i]));
+  }
+}
+
+/// Snow that is rough where the machine drives is no sign of the piste's end.
+void BoundaryEvidence::adapt(const TraceWindows& windows) {
+  constexpr float kTimesTypical = 1.5F;
+  noise_ = {.height_m = config_.height_noise_m, .slope = config_.slope_noise};
+  wander_ = static_cast<float>(config_.slope_noise) / 8.0F;
+  if (!config_.adapt) {
+    return;
+  }
+  scratch_.clear();
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    if (inside_[i] != 0 && windows.length_m[i] > 0.4F && windows.range_m[i] > kSlopesFrom_m &&
+        windows.range_m[i] < kSlopesTo_m) {
+      scratch_.push_back(slope_residual_[i]);
+    }
+  }
+  if (scratch_.size() >= kMinSamples) {
+    wander_ = median(scratch_);
+    noise_.slope = std::max(noise_.slope, double{kTimesTypical * kRobustSigma * wander_});
+  }
+  scratch_.clear();
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    if (windows.range_m[i] < kNear_m) {
+      scratch_.push_back(height_residual_[i]);
+    }
+  }
+  if (scratch_.size() >= kMinSamples) {
+    noise_.height_m = std::max(noise_.height_m, double{kTimesTypical * kRobustSigma * median(scratch_)});
+  }
+}
+
+float BoundaryEvidence::weigh_window(const TraceWindows& windows, std::size_t i) const {
+  constexpr float kHeightGrows = 0.02F;  // what the polynomial misses per metre beyond kGrowsFrom_m
+  constexpr float kSlopeGrows = 0.002F;
+  constexpr float kGrowsFrom_m = 10.0F;
+  constexpr float kWanderShare = 0.15F;  // of a slope that wanders, what bends within a window
+  constexpr float kTypicalRatio = 4.0F;  // of variances; groomed snow rarely exceeds it
+  constexpr float kRoughWeight = 1.5F;
+  const float beyond = std::max(windows.range_m[i] - kGrowsFrom_m, 0.0F);
+  const float length = windows.length_m[i];
+  float ratio = 0.0F;
+  if (config_.use_height) {
+    const float sigma = std::hypot(static_cast<float>(noise_.height_m), kHeightGrows * beyond);
+    ratio += log_ratio(height_residual_[i] / sigma, kHeightAgainst);
+  }
+  if (config_.use_slope && length > kMinSlopeLength_m) {
+    const float sigma = std::hypot(static_cast<float>(noise_.slope), kSlopeGrows * beyond);
+    ratio += log_ratio(slope_residual_[i] / sigma, kSlopeAgainst);
+  }
+  if (config_.use_roughness) {
+    const float bend = kWanderShare * wander_ * length;
+    const float excess = windows.variance_m2[i] / ((expected_m2_[i] + bend * bend) * kTypicalRatio);
+    ratio += kRoughWeight * std::clamp(2.0F * std::log(std::max(excess, 1e-6F)), kRoughAgainst, kMostFor);
+  }
+  return ratio * std::clamp(1.5F * length / windows.nominal_m[i], 0.2F, 1.2F);
+}
+
+void BoundaryEvidence::add_obstacles(std::span<const Label> labels, const LevelPoints& level,
+                                     const bearing_grid::SectorTable& sectors) {
+  std::fill(obstacles_.begin(), obstacles_.end(), 0.0F);
+  if (!config_.use_obstacles) {
+    return;
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == Label::obstacle) {
+      const float range2 = level.x[i] * level.x[i] + level.y[i] * level.y[i];
+      obstacles_[cell_of(static_cast<std::size_t>(sectors(level.x[i], level.y[i])),
+                         static_cast<std::size_t>(bearing_grid::bin_of(range2)))] += kPerObstaclePoint;
+    }
+  }
+}
+
+}  // namespace berm

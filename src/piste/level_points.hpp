@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "berm/core/label.hpp"
+#include "berm/core/point_cloud.hpp"
+#include "berm/core/pose.hpp"
+
+namespace berm {
+
+/// The points of a scan in the levelled frame: origin on the ground plane below the sensor, z along its normal.
+/// Channels have one entry per point of the scan; those of beams without a return mean nothing.
+struct LevelPoints {
+  std::vector<float> x;
+  std::vector<float> y;
+  std::vector<float> z;
+  float sensor_height_m = 0.0F;  ///< above the plane
+
+  void fill(const PointsView& points, const Pose& T_level_sensor);
+};
+
+}  // namespace berm
