@@ -46,10 +46,10 @@ inline Place place_of(float x, float y, float z, std::int32_t side, std::int32_t
 
 BERM_MULTIVERSION
 void locate_all(const float* __restrict x, const float* __restrict y, const float* __restrict z, std::size_t count,
-                std::int32_t side, std::int32_t nowhere, std::uint16_t* __restrict cell, float* __restrict range_m) {
+                std::int32_t side, std::int32_t nowhere, std::uint32_t* __restrict cell, float* __restrict range_m) {
   for (std::size_t i = 0; i < count; ++i) {
     const Place place = place_of(x[i], y[i], z[i], side, nowhere);
-    cell[i] = static_cast<std::uint16_t>(place.cell);
+    cell[i] = static_cast<std::uint32_t>(place.cell);
     range_m[i] = place.range_m;
   }
 }
@@ -63,15 +63,13 @@ float straighten(float bent) {
 
 }  // namespace
 
-DirectionCells::DirectionCells(int shift) : bits_(kFinestBits - shift) {}
-
-void DirectionCells::locate(const PointsView& points, std::span<std::uint16_t> cell, std::span<float> range_m) const {
-  locate_all(points.x.data(), points.y.data(), points.z.data(), points.size(), side(), nowhere(), cell.data(),
-             range_m.data());
+void DirectionCells::locate(const PointsView& points, std::span<std::uint32_t> cell, std::span<float> range_m) const {
+  locate_all(points.x.data(), points.y.data(), points.z.data(), points.size(), side(),
+             static_cast<std::int32_t>(nowhere()), cell.data(), range_m.data());
 }
 
 /// A place beyond the edge of a face still has a direction, and that lies on another face.
-std::uint16_t DirectionCells::at(int face_of, int row_of, int column_of) const {
+std::uint32_t DirectionCells::at(int face_of, int row_of, int column_of) const {
   const auto cells = static_cast<float>(side());
   const float u = straighten((2.0F * static_cast<float>(column_of) + 1.0F) / cells - 1.0F);
   const float v = straighten((2.0F * static_cast<float>(row_of) + 1.0F) / cells - 1.0F);
@@ -80,15 +78,15 @@ std::uint16_t DirectionCells::at(int face_of, int row_of, int column_of) const {
   const std::array<float, 3> on_y = {u, main, v};
   const std::array<float, 3> on_z = {u, v, main};
   const std::array<float, 3>& d = face_of / 2 == 0 ? on_x : (face_of / 2 == 1 ? on_y : on_z);
-  return static_cast<std::uint16_t>(place_of(d[0], d[1], d[2], side(), nowhere()).cell);
+  return static_cast<std::uint32_t>(place_of(d[0], d[1], d[2], side(), static_cast<std::int32_t>(nowhere())).cell);
 }
 
-std::array<std::uint16_t, 9> DirectionCells::block(std::uint16_t cell) const {
-  std::array<std::uint16_t, 9> cells{};
+std::array<std::uint32_t, 9> DirectionCells::block(std::uint32_t cell) const {
+  std::array<std::uint32_t, 9> cells{};
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const int down = static_cast<int>(i / 3) - 1;
     const int right = static_cast<int>(i % 3) - 1;
-    const std::uint16_t found = at(face(cell), row(cell) + down, column(cell) + right);
+    const std::uint32_t found = at(face(cell), row(cell) + down, column(cell) + right);
     const auto end = cells.begin() + static_cast<std::ptrdiff_t>(i);
     cells[i] = std::find(cells.begin(), end, found) == end ? found : nowhere();
   }

@@ -8,61 +8,77 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kSide = DirectionCells::kFinestSide;
-constexpr std::size_t kFaceCells = kSide * kSide;
-/// Fewer returns in a block say nothing of how they lie.
+/// With fewer returns in a block, cells are taken larger: they would say nothing of how they lie.
 constexpr double kLeastReturns = 20.0;
-constexpr int kMostShift = 2;
+constexpr int kLeastBits = 4;
+/// With more they are taken smaller, to save time.
+constexpr double kMostReturns = 400.0;
+constexpr int kMostBits = 8;
+
+int choose_bits(double returns_per_block) {
+  int bits = DirectionCells::kUsualBits;
+  for (; bits > kLeastBits && returns_per_block < kLeastReturns; returns_per_block *= 4.0) {
+    --bits;
+  }
+  for (; bits < kMostBits && returns_per_block > kMostReturns; returns_per_block /= 4.0) {
+    ++bits;
+  }
+  return bits;
+}
+
 /// Ranges are kept in 16 bits.
 constexpr float kSteps = 65000.0F;
 
 }  // namespace
 
-NearPoints::NearPoints() : cells_(0) {
-  counts_.resize(cells_.size());
-  banks_.resize(2 * (cells_.size() + 1));
-  begin_.resize(cells_.size());
-  end_.resize(cells_.size());
-}
+NearPoints::NearPoints() : cells_(DirectionCells::kUsualBits) {}
 
 void NearPoints::build(const PointsView& points, float max_range_m) {
   steps_per_m_ = kSteps / max_range_m;
+  use_cells(DirectionCells::kUsualBits);
   gather(points, max_range_m);
   look_where_returns_are();
-  int shift = 0;
-  for (double returns = returns_per_block_; shift < kMostShift && returns < kLeastReturns; returns *= 4.0) {
-    ++shift;
-  }
-  if (shift > 0) {
-    coarsen(shift);
+  const int bits = choose_bits(returns_per_block_);
+  if (bits > cells_.bits()) {
+    use_cells(bits);
+    gather(points, max_range_m);
+  } else if (bits < cells_.bits()) {
+    coarsen(bits);
   }
   sort();
 }
 
-void NearPoints::clear_counts() {
+/// Forgets what was counted. Only faces that were used need to be cleared.
+void NearPoints::use_cells(int bits) {
+  const std::size_t face_cells = cells_.cells_of_face();
   for (std::size_t face = 0; face < DirectionCells::kFaces; ++face) {
     if (face_used_[face]) {
-      std::fill_n(banks_.begin() + static_cast<std::ptrdiff_t>(2 * face * kFaceCells), 2 * kFaceCells, 0U);
-      std::fill_n(counts_.begin() + static_cast<std::ptrdiff_t>(face * kFaceCells), kFaceCells, Counts{});
+      std::fill_n(counts_.begin() + static_cast<std::ptrdiff_t>(face * face_cells), face_cells, Counts{});
     }
+  }
+  face_used_.fill(false);
+  cells_ = DirectionCells(bits);
+  if (counts_.size() < cells_.size()) {
+    counts_.resize(cells_.size());
+    begin_.resize(cells_.size());
+    end_.resize(cells_.size());
+    banks_.resize(2 * (cells_.size() + 1));
   }
 }
 
 void NearPoints::gather(const PointsView& points, float max_range_m) {
-  cells_ = DirectionCells(0);
   const std::size_t size = points.size();
   cell_of_point_.resize(size);
   range_of_point_.resize(size);
   cells_.locate(points, cell_of_point_, range_of_point_);
 
-  clear_counts();
   index_.resize(size + 1);
   range_m_.resize(size + 1);
   cell_.resize(size + 1);
   std::size_t near = 0;
   std::uint32_t faces = 0;
   for (std::size_t i = 0; i < size; ++i) {
-    const std::uint16_t cell = cell_of_point_[i];
+    const std::uint32_t cell = cell_of_point_[i];
     const float range_m = range_of_point_[i];
     // Written in any case and kept if near: cheaper than a branch that nobody can foresee.
     index_[near] = static_cast<std::uint32_t>(i);
@@ -76,9 +92,21 @@ void NearPoints::gather(const PointsView& points, float max_range_m) {
   size_ = near;
   for (std::size_t face = 0; face < DirectionCells::kFaces; ++face) {
     face_used_[face] = (faces >> face & 1U) != 0;
-    for (std::size_t c = face * kFaceCells; face_used_[face] && c < (face + 1) * kFaceCells; ++c) {
+  }
+  add_up_banks();
+}
+
+/// Leaves the banks empty: another size of cells may use them next.
+void NearPoints::add_up_banks() {
+  banks_[2 * std::size_t{cells_.nowhere()}] = 0;
+  banks_[2 * std::size_t{cells_.nowhere()} + 1] = 0;
+  const std::size_t face_cells = cells_.cells_of_face();
+  for (std::size_t face = 0; face < DirectionCells::kFaces; ++face) {
+    for (std::size_t c = face * face_cells; face_used_[face] && c < (face + 1) * face_cells; ++c) {
       const std::uint64_t sum = banks_[2 * c] + banks_[2 * c + 1];
       counts_[c] = {static_cast<std::uint32_t>(sum), static_cast<std::uint32_t>(sum >> 32U)};
+      banks_[2 * c] = 0;
+      banks_[2 * c + 1] = 0;
     }
   }
 }
@@ -86,6 +114,7 @@ void NearPoints::gather(const PointsView& points, float max_range_m) {
 /// Counts sectors with returns, and how many returns a block holds on average over where the sensor looks: over cells
 /// of four by four that hold any.
 void NearPoints::look_where_returns_are() {
+  constexpr std::size_t kSide = std::size_t{1} << DirectionCells::kUsualBits;
   constexpr std::size_t kCoarse = kSide / 4;
   std::size_t seen = 0;
   std::size_t returns = 0;
@@ -95,7 +124,7 @@ void NearPoints::look_where_returns_are() {
       continue;
     }
     std::array<std::uint32_t, kCoarse * kCoarse> sums{};
-    const Counts* counts = counts_.data() + face * kFaceCells;
+    const Counts* counts = counts_.data() + face * kSide * kSide;
     for (std::size_t row = 0; row < kSide; ++row, counts += kSide) {
       for (std::size_t k = 0; k < kCoarse; ++k) {
         sums[row / 4 * kCoarse + k] +=
@@ -113,21 +142,25 @@ void NearPoints::look_where_returns_are() {
   returns_per_block_ = seen > 0 ? 9.0 / 16.0 * static_cast<double>(returns) / static_cast<double>(seen) : 0.0;
 }
 
-void NearPoints::coarsen(int shift) {
-  cells_ = DirectionCells(shift);
-  const auto side = static_cast<std::size_t>(cells_.side());
+void NearPoints::coarsen(int bits) {
+  const DirectionCells fine = cells_;
+  const int shift = fine.bits() - bits;
+  cells_ = DirectionCells(bits);
   // Rows are counted over all faces: a face has a whole number of coarse ones. A coarse cell is never numbered higher
   // than the first of its fine ones, so that its count may take their place.
-  for (std::size_t cell = 0; cell < DirectionCells::kFaces * kFaceCells; ++cell) {
-    const std::size_t coarse = (cell / kSide >> shift) * side + (cell % kSide >> shift);
-    const Counts fine = counts_[cell];
+  const auto coarse = [fine, shift, bits](std::size_t cell) {
+    const std::size_t row = cell >> fine.bits() >> shift;
+    const std::size_t column = (cell & static_cast<std::size_t>(fine.side() - 1)) >> shift;
+    return (row << bits) + column;
+  };
+  for (std::size_t cell = 0; cell < fine.size(); ++cell) {
+    const Counts moved = counts_[cell];
     counts_[cell] = {};
-    counts_[coarse].all += fine.all;
-    counts_[coarse].near += fine.near;
+    counts_[coarse(cell)].all += moved.all;
+    counts_[coarse(cell)].near += moved.near;
   }
   for (std::size_t i = 0; i < size_; ++i) {
-    const std::size_t cell = cell_[i];
-    cell_[i] = static_cast<std::uint16_t>((cell / kSide >> shift) * side + (cell % kSide >> shift));
+    cell_[i] = static_cast<std::uint32_t>(coarse(cell_[i]));
   }
 }
 
@@ -148,26 +181,26 @@ void NearPoints::sort() {
   }
 }
 
-std::uint16_t NearPoints::sector(std::size_t i) const {
-  const std::uint16_t cell = cell_[i];
+std::uint32_t NearPoints::sector(std::size_t i) const {
+  const std::uint32_t cell = cell_[i];
   const int row = cells_.row(cell) * 4 / cells_.side();
   const int column = cells_.column(cell) * 4 / cells_.side();
-  return static_cast<std::uint16_t>(16 * cells_.face(cell) + 4 * row + column);
+  return static_cast<std::uint32_t>(16 * cells_.face(cell) + 4 * row + column);
 }
 
 NearPoints::Block NearPoints::block_of(std::size_t i) const {
-  const std::uint16_t cell = cell_[i];
+  const std::uint32_t cell = cell_[i];
   Block block;
   block.inner = cells_.is_inner(cell);
   if (block.inner) {
-    const auto side = static_cast<std::uint16_t>(cells_.side());
+    const auto side = static_cast<std::uint32_t>(cells_.side());
     for (std::size_t k = 0; k < 9; ++k) {
-      block.cells[k] = static_cast<std::uint16_t>(cell + (k / 3) * side - side + k % 3 - 1U);
+      block.cells[k] = cell + static_cast<std::uint32_t>(k / 3) * side - side + static_cast<std::uint32_t>(k % 3) - 1U;
       block.all += counts_[block.cells[k]].all;
     }
   } else {
     block.cells = cells_.block(cell);
-    for (std::uint16_t& c : block.cells) {
+    for (std::uint32_t& c : block.cells) {
       if (c != cells_.nowhere()) {
         block.all += counts_[c].all;
         c = counts_[c].all > 0 ? c : cells_.nowhere();
@@ -184,7 +217,7 @@ NearPoints::Band NearPoints::band_of(std::size_t i, float tolerance_m) const {
   return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(high - low)};
 }
 
-std::uint32_t NearPoints::count_in(std::uint16_t first, std::uint16_t last, Band band) const {
+std::uint32_t NearPoints::count_in(std::uint32_t first, std::uint32_t last, Band band) const {
   return count_between(sorted_.data() + begin_[first], end_[last] - begin_[first], band.low, band.width);
 }
 
@@ -198,7 +231,7 @@ std::uint32_t NearPoints::count_like(std::size_t i, const Block& block, float to
       }
     }
   } else {
-    for (const std::uint16_t c : block.cells) {
+    for (const std::uint32_t c : block.cells) {
       found += c != cells_.nowhere() ? count_in(c, c, band) : 0U;
     }
   }
@@ -208,7 +241,7 @@ std::uint32_t NearPoints::count_like(std::size_t i, const Block& block, float to
 bool NearPoints::lies_on_line(std::size_t i, const Block& block, float tolerance_m, float share) const {
   const Band band = band_of(i, tolerance_m);
   const auto holds = [&](std::size_t k) {
-    const std::uint16_t c = block.cells[k];
+    const std::uint32_t c = block.cells[k];
     if (c == cells_.nowhere()) {
       return false;
     }

@@ -26,13 +26,13 @@ class NearPoints {
   /// In the scan, of near point i.
   [[nodiscard]] std::uint32_t index(std::size_t i) const { return index_[i]; }
   [[nodiscard]] float range_m(std::size_t i) const { return range_m_[i]; }
-  [[nodiscard]] std::uint16_t sector(std::size_t i) const;
+  [[nodiscard]] std::uint32_t sector(std::size_t i) const;
   /// In how many sectors there is any return.
   [[nodiscard]] std::size_t sectors_seen() const { return sectors_seen_; }
 
   /// The nine cells around a point, and how many returns of other beams they hold.
   struct Block {
-    std::array<std::uint16_t, 9> cells{};  ///< row by row; `nowhere` where there is none
+    std::array<std::uint32_t, 9> cells{};  ///< row by row; `nowhere` where there is none
     bool inner = false;                    ///< each row is three cells that follow one another
     std::uint32_t all = 0;
   };
@@ -57,14 +57,15 @@ class NearPoints {
     std::uint16_t width;
   };
 
-  void clear_counts();
+  void use_cells(int bits);
   void gather(const PointsView& points, float max_range_m);
+  void add_up_banks();
   void look_where_returns_are();
-  void coarsen(int shift);
+  void coarsen(int bits);
   void sort();
   [[nodiscard]] Band band_of(std::size_t i, float tolerance_m) const;
   /// Near points of the cells first .. last, which follow one another, within the band.
-  [[nodiscard]] std::uint32_t count_in(std::uint16_t first, std::uint16_t last, Band band) const;
+  [[nodiscard]] std::uint32_t count_in(std::uint32_t first, std::uint32_t last, Band band) const;
 
   DirectionCells cells_;
   std::size_t size_ = 0;
@@ -72,7 +73,7 @@ class NearPoints {
   double returns_per_block_ = 0.0;
   float steps_per_m_ = 1.0F;
   std::array<bool, DirectionCells::kFaces> face_used_{};
-  std::vector<std::uint16_t> cell_of_point_;
+  std::vector<std::uint32_t> cell_of_point_;
   std::vector<float> range_of_point_;
   std::vector<Counts> counts_;  ///< of the points of a cell
   /// Sums of `Counts` while gathering, two of every cell, for points of even and of odd number: neighbours in firing
@@ -83,7 +84,7 @@ class NearPoints {
   std::vector<std::uint16_t> sorted_;  ///< ranges of near points in steps, by cell
   std::vector<std::uint32_t> index_;
   std::vector<float> range_m_;
-  std::vector<std::uint16_t> cell_;
+  std::vector<std::uint32_t> cell_;
 };
 
 }  // namespace berm

@@ -55,8 +55,8 @@ struct SparseSnow::State {
   [[nodiscard]] bool stands_alone(std::size_t i, const Demand& demand) const;
   void find_levels(std::span<const float> intensity);
   [[nodiscard]] int find_dark_level();
-  [[nodiscard]] bool snow_shows_without_intensity() const;
-  void judge_all();
+  [[nodiscard]] bool snow_shows_above(int dark_level) const;
+  void judge_above(int dark_level);
   [[nodiscard]] bool is_snowfall() const;
 
   SparseSnowConfig config;
@@ -134,12 +134,13 @@ int SparseSnow::State::find_dark_level() {
   return best_level;
 }
 
-/// Looks at one point in sixteen, chosen by the bits of its range, so that the order of points does not matter.
-bool SparseSnow::State::snow_shows_without_intensity() const {
+/// Looks at one point in 32, chosen by the bits of its range, so that the order of points does not matter.
+bool SparseSnow::State::snow_shows_above(int dark_level) const {
   std::size_t seen = 0;
   std::size_t found = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    if (std::bit_cast<std::uint32_t>(near.range_m(i)) * 2654435769U >> 28U == 0) {
+    const bool chosen = std::bit_cast<std::uint32_t>(near.range_m(i)) * 2654435769U >> 27U == 0;
+    if (chosen && level[i] > dark_level) {
       ++seen;
       found += stands_alone(i, bright) ? 1U : 0U;
     }
@@ -147,9 +148,11 @@ bool SparseSnow::State::snow_shows_without_intensity() const {
   return static_cast<double>(found) > kHeapShare * static_cast<double>(seen);
 }
 
-void SparseSnow::State::judge_all() {
+void SparseSnow::State::judge_above(int dark_level) {
   for (std::size_t i = 0; i < near.size(); ++i) {
-    alone[i] = stands_alone(i, bright) ? 1 : 0;
+    if (level[i] > dark_level) {
+      alone[i] = stands_alone(i, bright) ? 1 : 0;
+    }
   }
 }
 
@@ -180,11 +183,13 @@ SnowResult SparseSnow::process(const PointsView& points, const Pose& /*T_base_se
   s.near.build(points, s.max_range_m);
   s.alone.assign(s.near.size(), 0);
   if (limits.no_intensity || !config_.use_intensity) {
-    s.judge_all();
+    s.level.assign(s.near.size(), 0);
+    s.judge_above(-1);
   } else {
     s.find_levels(points.intensity);
-    if (s.find_dark_level() < 0 && s.snow_shows_without_intensity()) {
-      s.judge_all();
+    const int dark_level = s.find_dark_level();
+    if (s.snow_shows_above(dark_level)) {
+      s.judge_above(dark_level);
     }
   }
   std::size_t count = 0;

@@ -14,7 +14,7 @@ class Spread {
  public:
   explicit Spread(const NearPoints& near);
 
-  void add(std::uint16_t sector) { ++marks_[sector]; }
+  void add(std::uint32_t sector) { ++marks_[sector]; }
   /// 1: as even as chance; towards 0: heaped. Less than two marks are even.
   [[nodiscard]] double evenness() const;
 

@@ -17,7 +17,7 @@ struct SparseSnowConfig {
   double window = 0.05;
   double dark_share = 0.3;
   double dark_points = 3.0;
-  double bright_share = 0.03;
+  double bright_share = 0.08;
   double bright_points = 1.0;
   double surface_weight = 0.5;
 
