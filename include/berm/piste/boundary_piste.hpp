@@ -46,6 +46,7 @@ class BoundaryPiste final : public PisteSegmenter {
   explicit BoundaryPiste(const BoundaryPisteConfig& config);
   ~BoundaryPiste() override;
 
+  [[nodiscard]] bool needs_series() const override { return false; }
   /// Without `input.surface` the mount is trusted for what is level.
   [[nodiscard]] PisteResult process(const PisteInput& input) override;
 

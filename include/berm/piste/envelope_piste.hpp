@@ -45,6 +45,7 @@ class EnvelopePiste final : public PisteSegmenter {
   ~EnvelopePiste() override;
 
   /// Throws Error(invalid_argument) unless points, labels and series have one length.
+  [[nodiscard]] bool needs_series() const override { return true; }
   [[nodiscard]] PisteResult process(const PisteInput& input) override;
 
  private:

@@ -64,6 +64,8 @@ class PisteSegmenter {
   PisteSegmenter& operator=(const PisteSegmenter&) = delete;
   virtual ~PisteSegmenter() = default;
 
+  /// Whether `process` looks at `PisteInput::series`.
+  [[nodiscard]] virtual bool needs_series() const = 0;
   [[nodiscard]] virtual PisteResult process(const PisteInput& input) = 0;
 };
 
