@@ -48,7 +48,9 @@ TEST(Machine, SmallestFileLeavesTheRestAtDefaults) {
   EXPECT_EQ(machine.machine.name, "small");
   EXPECT_EQ(machine.mount.height_m, 2.0);
   EXPECT_EQ(machine.mount.pitch_deg, MountConfig{}.pitch_deg);
+  EXPECT_EQ(machine.methods.snow, "default");
   EXPECT_EQ(machine.methods.ground, "default");
+  EXPECT_EQ(machine.methods.piste, "none");
 }
 
 TEST(Machine, GivenMachinesAreThoseOfTheDocuments) {
@@ -59,6 +61,7 @@ TEST(Machine, GivenMachinesAreThoseOfTheDocuments) {
   EXPECT_EQ(groomer.mount.height_m, 2.3);
   EXPECT_EQ(groomer.mount.pitch_deg, 11.0);
   EXPECT_EQ(groomer.sensor.scan_hz, 10.0);
+  EXPECT_EQ(groomer.methods.piste, "default");
   const Machine truck = read_machine(folder / "haul_truck.yaml");
   EXPECT_THAT(truck.machine.description, HasSubstr("assumption"));
 }
@@ -115,6 +118,9 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenFile{"choice",
                    kSmall + "methods: {ground: best}\n",
                    {"line 6", "methods.ground", "'best' is not allowed", "default or reference"}},
+        BrokenFile{"choice_of_three",
+                   kSmall + "methods: {piste: best}\n",
+                   {"line 6", "methods.piste", "'best' is not allowed", "none, default or reference"}},
         BrokenFile{"no_value", kSmall + "  pitch_deg:\n", {"line 6", "mount.pitch_deg", "has no value"}},
         BrokenFile{"duplicate_key",
                    kSmall + "  height_m: 3\n",

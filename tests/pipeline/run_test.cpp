@@ -1,6 +1,8 @@
 #include "berm/pipeline/run.hpp"
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +11,7 @@
 #include "berm/core/error.hpp"
 #include "berm/io/label_file.hpp"
 #include "berm/io/trajectory_file.hpp"
+#include "groomer_scan.hpp"
 #include "support/data.hpp"
 #include "support/made_recording.hpp"
 #include "support/temp_folder.hpp"
@@ -107,8 +110,8 @@ TEST_F(RunTest, LabelsAreTheIdsOnDiskAndAddUp) {
   EXPECT_EQ(seen.drivable, summary.counts.drivable);
   EXPECT_EQ(seen.obstacle, summary.counts.obstacle);
   EXPECT_EQ(summary.counts.no_return, 200U);
-  EXPECT_EQ(summary.counts.points,
-            summary.counts.drivable + summary.counts.obstacle + summary.counts.no_return + summary.counts.invalid);
+  EXPECT_EQ(summary.counts.points, summary.counts.drivable + summary.counts.obstacle + summary.counts.falling_snow +
+                                       summary.counts.no_return + summary.counts.invalid);
 }
 
 TEST_F(RunTest, AnyNumberOfThreadsWritesTheSameBytes) {
@@ -234,6 +237,98 @@ TEST_F(RunTest, AnotherRateThanTheMachinesIsNoted) {
   test::spill(recording_ / "times.txt", "0\n0.05\n0.1\n");
   static_cast<void>(run_it({.output = out_}));
   EXPECT_THAT(report_of(out_)["notes"].dump(), HasSubstr("20.00 scans a second"));
+}
+
+TEST_F(RunTest, EveryLabelledScanHasALineInTheTable) {
+  test::make_recording(recording_, 4, 700);
+  test::spill(recording_ / "scans/000002.pcd", "broken");
+  test::spill(recording_ / "times.txt", "10.0\n10.1\n10.2\n10.3\n");
+  static_cast<void>(run_it({.output = out_, .threads = 2}));
+  const std::string table = test::slurp(out_ / "scans.csv");
+  EXPECT_THAT(table, testing::StartsWith("scan,stamp,points,returns,"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
+  EXPECT_THAT(table, HasSubstr("\n000001,10.100000000,700,600,100,0,"));
+  EXPECT_THAT(table, HasSubstr("no_time"));
+  EXPECT_FALSE(fs::exists(out_ / "boundary.csv"));
+  const json report = report_of(out_);
+  EXPECT_EQ(report["files"]["scans"], "scans.csv");
+  EXPECT_FALSE(report["files"].contains("boundary"));
+  EXPECT_EQ(report["counts"]["degraded"]["no_time"], 3);
+  EXPECT_FALSE(report["counts"]["degraded"].contains("no_points"));
+}
+
+/// A recording of what a groomer sees.
+class GroomerRun : public RunTest {
+ protected:
+  void SetUp() override {
+    fs::create_directories(recording_ / "scans");
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      write_pcd(recording_ / "scans" / (test::scan_name(i) + ".pcd"), test::groomer_scan(i + 1).cloud.view());
+    }
+  }
+};
+
+TEST_F(GroomerRun, APisteMethodAddsItsStagesAndTheBoundary) {
+  for (const char* method : {"default", "reference"}) {
+    const RunOptions options{.output = out_ / method};
+    static_cast<void>(run(Recording::open(recording_), test::groomer(method, "default", method), options));
+    const json report = report_of(options.output);
+    for (const char* stage : {"read", "snow", "ground", "repair", "piste", "check", "write"}) {
+      EXPECT_TRUE(report["stages"].contains(stage)) << stage;
+    }
+    EXPECT_EQ(report["files"]["boundary"], "boundary.csv");
+    EXPECT_THAT(test::slurp(options.output / "boundary.csv"), testing::StartsWith("scan,side,x,y,z,confidence\n"));
+    EXPECT_EQ(report["counts"]["degraded"], json::object());
+  }
+}
+
+TEST_F(GroomerRun, StagesThatAreLeftOutAreNotInTheReport) {
+  static_cast<void>(
+      run(Recording::open(recording_), test::groomer("none", "default", "none"), RunOptions{.output = out_}));
+  const json stages = report_of(out_)["stages"];
+  for (const char* stage : {"snow", "repair", "piste"}) {
+    EXPECT_FALSE(stages.contains(stage)) << stage;
+  }
+}
+
+TEST_F(GroomerRun, AMountThatIsRightIsPlausible) {
+  static_cast<void>(run(Recording::open(recording_), test::groomer(), RunOptions{.output = out_}));
+  const json report = report_of(out_);
+  EXPECT_EQ(report["mount"]["verdict"], "plausible");
+  EXPECT_EQ(report["mount"]["scans_that_tell"], 3);
+  EXPECT_NEAR(report["mount"]["height_m"].get<double>(), 2.3, 0.3);
+  EXPECT_THAT(report["notes"].dump(), testing::Not(HasSubstr("the mount looks wrong")));
+}
+
+TEST_F(GroomerRun, AMountThatIsWrongIsSaidAloud) {
+  Machine machine = test::groomer();
+  machine.mount.pitch_deg -= 30.0;
+  static_cast<void>(run(Recording::open(recording_), machine, RunOptions{.output = out_ / "pitch"}));
+  const json pitch = report_of(out_ / "pitch");
+  EXPECT_EQ(pitch["mount"]["verdict"], "implausible");
+  EXPECT_NEAR(pitch["mount"]["pitch_off_deg"].get<double>(), 30.0, 4.0);
+  EXPECT_EQ(pitch["counts"]["degraded"]["mount_implausible"], 3);
+  EXPECT_THAT(pitch["notes"].dump(), HasSubstr("the mount looks wrong"));
+  machine = test::groomer();
+  machine.mount.roll_deg = 180.0;
+  static_cast<void>(run(Recording::open(recording_), machine, RunOptions{.output = out_ / "roll"}));
+  EXPECT_EQ(report_of(out_ / "roll")["mount"]["verdict"], "implausible");
+}
+
+TEST_F(GroomerRun, WithoutGroundTheMountCannotBeJudged) {
+  Scan empty = test::groomer_scan();
+  test::change_channels(empty, [](PointChannels& channels) {
+    for (std::vector<float>* values : {&channels.x, &channels.y, &channels.z}) {
+      std::fill(values->begin(), values->end(), 0.0F);
+    }
+  });
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    write_pcd(recording_ / "scans" / (test::scan_name(i) + ".pcd"), empty.cloud.view());
+  }
+  static_cast<void>(run(Recording::open(recording_), test::groomer(), RunOptions{.output = out_}));
+  const json report = report_of(out_);
+  EXPECT_EQ(report["mount"], (json{{"verdict", "unknown"}, {"scans_that_tell", 0}}));
+  EXPECT_EQ(report["counts"]["degraded"]["few_returns"], 3);
 }
 
 TEST_F(RunTest, AFullDiskLeavesNothingHalfWritten) {
