@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "multiversion.hpp"
 
@@ -10,6 +11,9 @@ namespace {
 
 /// No sensor sees 10 km; coordinates beyond are noise of a broken file.
 constexpr float kAbsurd_m = 1e4F;
+
+/// Of a smaller coordinate the reciprocal is infinite.
+constexpr float kSmallest_m = std::numeric_limits<float>::min();
 
 /// Takes t = tan of an angle up to 45 deg to -1 .. 1, about evenly in the angle: 4 / pi atan(t) within 0.005.
 constexpr float kBend = 0.2732F;
@@ -26,7 +30,7 @@ inline Place place_of(float x, float y, float z, std::int32_t side, std::int32_t
   const float az = std::fabs(z);
   const float axy = ax > ay ? ax : ay;
   const float largest = axy > az ? axy : az;
-  const bool usable = (largest > 0.0F) & (ax < kAbsurd_m) & (ay < kAbsurd_m) & (az < kAbsurd_m);
+  const bool usable = (largest >= kSmallest_m) & (ax < kAbsurd_m) & (ay < kAbsurd_m) & (az < kAbsurd_m);
   const bool on_z = az > axy;
   const bool on_y = !on_z & (ay > ax);
   const float main = on_z ? z : (on_y ? y : x);
