@@ -22,19 +22,33 @@ namespace {
 
 using test::MadeSeries;
 
-/// Any part of the Mid-70's pattern on the made piste, beams without return left out.
-MadeSeries any_series() {
-  const auto first = *rc::gen::inRange<std::size_t>(0, 100000);
-  const auto count = *rc::gen::inRange<std::size_t>(0, 2500);
-  const test::MadeScan scan = test::mid70_scan(first, count);
-  const PointsView points = scan.cloud.view();
-  MadeSeries series;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!is_no_return(points.x[i], points.y[i], points.z[i])) {
-      series.add(static_cast<double>(points.x[i]), static_cast<double>(points.y[i]), static_cast<double>(points.z[i]));
+/// The made piste as the Mid-70 sees it, beams without return left out.
+const MadeSeries& whole_series() {
+  static const MadeSeries whole = [] {
+    const test::MadeScan scan = test::mid70_scan(0, 15000);
+    const PointsView points = scan.cloud.view();
+    MadeSeries series;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!is_no_return(points.x[i], points.y[i], points.z[i])) {
+        series.add(static_cast<double>(points.x[i]), static_cast<double>(points.y[i]),
+                   static_cast<double>(points.z[i]));
+      }
     }
+    return series;
+  }();
+  return whole;
+}
+
+/// Any part of it.
+MadeSeries any_series() {
+  const MadeSeries& whole = whole_series();
+  const auto first = *rc::gen::inRange<std::size_t>(0, whole.size() - 2500);
+  const auto count = *rc::gen::inRange<std::size_t>(0, 2500);
+  MadeSeries part;
+  for (std::size_t i = first; i < first + count; ++i) {
+    part.add(static_cast<double>(whole.x[i]), static_cast<double>(whole.y[i]), static_cast<double>(whole.z[i]));
   }
-  return series;
+  return part;
 }
 
 /// P eqs. 3-8 as they are written, point by point.
