@@ -63,15 +63,17 @@ Sensor sensor_of(const std::string& name) {
 }
 
 /// What the air holds, by name: nothing; the snowfall of scenarios/groomer_snowfall.yaml, which one beam in twenty
-/// meets; that with snow that blows along the ground, and dust everywhere: all that the air can do to a beam at once.
+/// meets; dust everywhere; both, and snow that blows along the ground: all that the air can do to a beam at once.
 Weather weather_of(const std::string& air, const Sensor& sensor, const Course& at) {
   SnowfallConfig snowfall;
   std::vector<sim::Plume> plumes;
-  if (air != "clear") {
+  if (air == "snowfall" || air == "everything") {
     snowfall.flakes_per_m3 = 130.0;
   }
   if (air == "everything") {
     snowfall.drift_flakes_per_m3 = 200.0;
+  }
+  if (air == "dust" || air == "everything") {
     for (double s_m = 0.0; s_m < at.world.route.length_m(); s_m += 20.0) {
       const sim::RoutePoint here = at.world.route.at(s_m);
       plumes.push_back({{here.x_m, here.y_m, here.z_m + 1.0}, {4.0, 3.0, 1.2}, 0.1});
@@ -123,6 +125,7 @@ const bool kRegistered = [] {
   add("piste", "livox_mid70", "everything");
   add("piste", "ouster64", "snowfall");
   add("haul_road", "livox_mid70", "clear");
+  add("haul_road", "livox_mid70", "dust");
   add("haul_road", "vlp16", "clear");
   benchmark::RegisterBenchmark("sim_build/piste", build_caster, std::string("piste"))->Unit(benchmark::kMillisecond);
   return true;

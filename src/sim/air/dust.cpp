@@ -52,9 +52,9 @@ void Dust::add_echo(const PlumeCrossings& crossings, double left, double end_m, 
   if (most_depth <= sought) {
     return;
   }
-  const float at_m = crossings.range_of(sought, static_cast<float>(most_m), most_depth);
-  const auto range_m = static_cast<double>(at_m);
-  const double share = 1.0 - std::exp(-kPulseDepth * static_cast<double>(crossings.extinction_per_m(at_m)));
+  const PlumeCrossings::Place place = crossings.place_of(sought, static_cast<float>(most_m), most_depth);
+  const auto range_m = static_cast<double>(place.range_m);
+  const double share = 1.0 - std::exp(-kPulseDepth * static_cast<double>(place.extinction_per_m));
   const double light = received_light(optics_, kDustReflectivity, share, range_m) * left * left;
   if (light >= limit_ && range_m >= optics_.min_range_m && range_m <= optics_.max_range_m) {
     path.has_echo = true;

@@ -79,21 +79,23 @@ float PlumeCrossings::depth(float range_m) const {
 }
 
 // Newton's steps from what even air would give, halving where they leave.
-float PlumeCrossings::range_of(float sought, float end_m, float end_depth) const {
+PlumeCrossings::Place PlumeCrossings::place_of(float sought, float end_m, float end_depth) const {
   float low_m = 0.0F;
   float high_m = end_m;
-  float range_m = end_m * (sought / end_depth);
+  Place place{end_m * (sought / end_depth), 0.0F};
   for (int i = 0; i < 40 && high_m - low_m > kSettled_m; ++i) {
-    const float excess = depth(range_m) - sought;
-    (excess > 0.0F ? high_m : low_m) = range_m;
-    const float step_m = excess / std::max(extinction_per_m(range_m), 1e-12F);
-    const float next_m = range_m - step_m;
+    place.extinction_per_m = extinction_per_m(place.range_m);
+    const float excess = depth(place.range_m) - sought;
+    const float step_m = excess / std::max(place.extinction_per_m, 1e-12F);
+    const float next_m = place.range_m - step_m;
+    (excess > 0.0F ? high_m : low_m) = place.range_m;
     if (std::abs(step_m) < kSettled_m) {
-      return std::clamp(next_m, 0.0F, end_m);
+      place.range_m = std::clamp(next_m, 0.0F, end_m);
+      break;
     }
-    range_m = next_m > low_m && next_m < high_m ? next_m : 0.5F * (low_m + high_m);
+    place.range_m = next_m > low_m && next_m < high_m ? next_m : 0.5F * (low_m + high_m);
   }
-  return range_m;
+  return place;
 }
 
 }  // namespace berm::sim

@@ -13,6 +13,11 @@ constexpr double kPlumeReach = 4.0;
 /// The plumes that one beam passes: Gaussians along the beam, whose depths are error functions.
 class PlumeCrossings {
  public:
+  struct Place {
+    float range_m;
+    float extinction_per_m;
+  };
+
   PlumeCrossings(const PlumeTree& tree, const AirBeam& beam);
 
   [[nodiscard]] bool is_empty() const { return count_ == 0; }
@@ -20,13 +25,14 @@ class PlumeCrossings {
   [[nodiscard]] float total() const { return total_; }
   /// No place on the line of the beam has more extinction.
   [[nodiscard]] float most_per_m() const { return most_per_m_; }
-  [[nodiscard]] float extinction_per_m(float range_m) const;
   /// One-way optical depth from the sensor to a range.
   [[nodiscard]] float depth(float range_m) const;
-  /// The range up to which the depth is `sought`, between 0 and `end_m`; `end_depth` is that of `end_m`, and more.
-  [[nodiscard]] float range_of(float sought, float end_m, float end_depth) const;
+  /// The place up to which the depth is `sought`, between 0 and `end_m`; `end_depth` is that of `end_m`, and more.
+  [[nodiscard]] Place place_of(float sought, float end_m, float end_depth) const;
 
  private:
+  [[nodiscard]] float extinction_per_m(float range_m) const;
+
   /// Groups that one beam can be in at once; more of them add nothing that could be seen.
   static constexpr std::size_t kMost = 16;
 
