@@ -5,7 +5,9 @@
 namespace berm {
 namespace {
 
-TEST(EnvelopePiste, NothingComesOfNothing) { EXPECT_TRUE(EnvelopePiste({}).process({}).labels.empty()); }
+TEST(EnvelopePiste, NothingComesOfNothing) {
+  EXPECT_TRUE(EnvelopePiste({}).process({}).labels.empty());
+}
 
 }  // namespace
 }  // namespace berm
