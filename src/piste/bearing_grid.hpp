@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 namespace berm::bearing_grid {
 
@@ -32,14 +33,24 @@ inline constexpr float kBinRatio = 0.04F;  ///< a bin is this share of its range
   return (static_cast<float>(sector) + 0.5F) * kStep_rad - std::numbers::pi_v<float>;
 }
 
-/// Sector of a bearing without trigonometry: y / (|x| + |y|), turned into a number that rises with the bearing, is
-/// looked up. Sector 0 begins straight behind and they go counterclockwise, seen from above. Borders of sectors are
-/// met to a twentieth of a sector.
+/// A bearing without trigonometry: y / (|x| + |y|), turned into a number that rises from straight behind
+/// counterclockwise, seen from above, as the bearing does. NaN gives 0.
+inline constexpr int kTurnsPerQuadrant = 1024;
+[[nodiscard]] inline std::uint16_t turn_of(float x, float y) {
+  const float sum = std::abs(x) + std::abs(y);
+  const float slant = sum > 0.0F ? y / sum : 0.0F;
+  const float turn = x >= 0.0F ? slant : std::copysign(2.0F, y) - slant;
+  constexpr float kLast = 4.0F * kTurnsPerQuadrant - 1.0F;
+  const float place = (turn + 2.0F) * static_cast<float>(kTurnsPerQuadrant);
+  return static_cast<std::uint16_t>(std::min(place > 0.0F ? place : 0.0F, kLast));
+}
+
+/// Sector of each turn. Borders of sectors are met to a twentieth of a sector.
 class SectorTable {
  public:
   SectorTable() {
     for (std::size_t i = 0; i < sectors_.size(); ++i) {
-      const double turn = (static_cast<double>(i) + 0.5) / kPerQuadrant - 2.0;  // -2 and 2: straight behind
+      const double turn = (static_cast<double>(i) + 0.5) / kTurnsPerQuadrant - 2.0;  // -2 and 2: straight behind
       const double y = turn < -1.0 ? -2.0 - turn : (turn > 1.0 ? 2.0 - turn : turn);
       const double x = 1.0 - std::abs(turn);
       const double share = (std::atan2(y, x) + std::numbers::pi) / (2.0 * std::numbers::pi);
@@ -47,17 +58,35 @@ class SectorTable {
     }
   }
 
-  [[nodiscard]] int operator()(float x, float y) const {
-    const float sum = std::abs(x) + std::abs(y);
-    const float slant = sum > 0.0F ? y / sum : 0.0F;
-    const float turn = x >= 0.0F ? slant : std::copysign(2.0F, y) - slant;
-    const auto place = static_cast<int>((turn + 2.0F) * static_cast<float>(kPerQuadrant));
-    return sectors_[static_cast<std::size_t>(std::clamp(place, 0, static_cast<int>(sectors_.size()) - 1))];
-  }
+  [[nodiscard]] std::uint8_t operator[](std::uint16_t turn) const { return sectors_[turn]; }
+  [[nodiscard]] std::uint8_t of(float x, float y) const { return sectors_[turn_of(x, y)]; }
 
  private:
-  static constexpr int kPerQuadrant = 1024;
-  std::array<std::uint8_t, 4 * kPerQuadrant> sectors_;
+  std::array<std::uint8_t, std::size_t{4} * kTurnsPerQuadrant> sectors_;
 };
+
+/// Sectors one after the other, counterclockwise, maybe across straight behind.
+struct Arc {
+  int first = 0;
+  int count = 0;
+
+  [[nodiscard]] std::size_t sector(int i) const { return static_cast<std::size_t>((first + i) % kSectors); }
+};
+
+/// The sectors without the widest gap of unseen ones; `seen` has a 1 for every sector that is. A full turn begins and
+/// ends straight behind.
+[[nodiscard]] inline Arc find_arc(std::span<const std::uint8_t> seen) {
+  int gap_begin = 0;
+  int gap = 0;
+  int run = 0;
+  for (int i = 0; i < 2 * kSectors; ++i) {
+    run = seen[static_cast<std::size_t>(i % kSectors)] != 0 ? 0 : std::min(run + 1, kSectors);
+    if (run > gap) {
+      gap = run;
+      gap_begin = i - run + 1;
+    }
+  }
+  return {.first = gap == 0 ? 0 : (gap_begin + gap) % kSectors, .count = kSectors - gap};
+}
 
 }  // namespace berm::bearing_grid

@@ -68,7 +68,7 @@ void BoundaryEvidence::set_windows(const TraceWindows& windows, const LevelPoint
   scratch_.clear();
   for (std::size_t i = 0; i < size; ++i) {
     const float range2 = windows.range_m[i] * windows.range_m[i];
-    sector_[i] = static_cast<std::uint8_t>(sectors(windows.x[i], windows.y[i]));
+    sector_[i] = sectors.of(windows.x[i], windows.y[i]);
     bin_[i] = static_cast<std::uint8_t>(bearing_grid::bin_of(range2));
     seen_[sector_[i]] = 1;
     // Noise of the range moves a point along its beam: by its sine with the ground up or down.
@@ -80,6 +80,7 @@ void BoundaryEvidence::set_windows(const TraceWindows& windows, const LevelPoint
       scratch_.push_back(windows.variance_m2[i] / expected_m2_[i]);
     }
   }
+  arc_ = bearing_grid::find_arc(seen_);
   if (config_.adapt && scratch_.size() >= kMinSamples) {
     const float scale = std::clamp(median(scratch_), 0.5F, 100.0F);
     for (float& expected : expected_m2_) {
@@ -88,40 +89,55 @@ void BoundaryEvidence::set_windows(const TraceWindows& windows, const LevelPoint
   }
 }
 
-std::span<const std::uint8_t> BoundaryEvidence::find_inside(std::span<const int> bound) {
-  for (std::size_t i = 0; i < inside_.size(); ++i) {
-    inside_[i] = bin_[i] < bound[sector_[i]] ? 1 : 0;
+void BoundaryEvidence::set_obstacles(std::span<const Label> labels, const LevelPoints& level,
+                                     const bearing_grid::SectorTable& sectors) {
+  for (int i = 0; i < arc_.count; ++i) {
+    std::fill_n(obstacles_.begin() + static_cast<std::ptrdiff_t>(cell_of(arc_.sector(i), 0)), kBins, 0.0F);
   }
-  return inside_;
+  if (!config_.use_obstacles) {
+    return;
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == Label::obstacle) {
+      const auto bin = static_cast<std::size_t>(bearing_grid::bin_of(level.range2[i]));
+      obstacles_[cell_of(sectors[level.turn[i]], bin)] += kPerObstaclePoint;
+    }
+  }
 }
 
-std::span<const std::uint8_t> BoundaryEvidence::find_near(const TraceWindows& windows, float range_m) {
+void BoundaryEvidence::fit_near(const TraceWindows& windows, float range_m, PisteSurface& surface) {
   for (std::size_t i = 0; i < inside_.size(); ++i) {
     inside_[i] = windows.range_m[i] < range_m ? 1 : 0;
   }
-  return inside_;
+  surface.fit(windows, inside_, {}, {}, {.height_m = config_.height_noise_m, .slope = config_.slope_noise});
+}
+
+void BoundaryEvidence::fit_inside(const TraceWindows& windows, std::span<const int> bound, PisteSurface& surface) {
+  for (std::size_t i = 0; i < inside_.size(); ++i) {
+    inside_[i] = bin_[i] < bound[sector_[i]] ? 1 : 0;
+  }
+  surface.fit(windows, inside_, height_residual_, slope_residual_,
+              {.height_m = config_.height_noise_m, .slope = config_.slope_noise});
 }
 
 void BoundaryEvidence::weigh(const TraceWindows& windows, const PisteSurface& surface) {
-  compare(windows, surface);
-  adapt(windows);
-  std::fill(cells_.begin(), cells_.end(), 0.0F);
-  for (std::size_t i = 0; i < windows.size(); ++i) {
-    cells_[cell_of(sector_[i], bin_[i])] += weigh_window(windows, i);
-  }
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const float obstacles = std::min(obstacles_[i], kObstaclesFor);
-    cells_[i] = std::clamp(cells_[i] + obstacles, kCellAgainst, kCellFor) + kUnseen;
-  }
-}
-
-void BoundaryEvidence::compare(const TraceWindows& windows, const PisteSurface& surface) {
   height_residual_.resize(windows.size());
   slope_residual_.resize(windows.size());
+  surface.compare(windows, height_residual_, slope_residual_);
+  adapt(windows);
+  weigh_windows(windows);
+  for (int i = 0; i < arc_.count; ++i) {
+    std::fill_n(cells_.begin() + static_cast<std::ptrdiff_t>(cell_of(arc_.sector(i), 0)), kBins, 0.0F);
+  }
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    height_residual_[i] = std::abs(windows.z[i] - surface.height_m(windows.x[i], windows.y[i]));
-    slope_residual_[i] =
-        std::abs(windows.slope[i] - surface.slope(windows.x[i], windows.y[i], windows.along_x[i], windows.along_y[i]));
+    cells_[cell_of(sector_[i], bin_[i])] += weights_[i];
+  }
+  for (int i = 0; i < arc_.count; ++i) {
+    const std::size_t first = cell_of(arc_.sector(i), 0);
+    for (std::size_t cell = first; cell < first + kBins; ++cell) {
+      const float sum = cells_[cell] + std::min(obstacles_[cell], kObstaclesFor);
+      cells_[cell] = std::clamp(sum, kCellAgainst, kCellFor) + kUnseen;
+    }
   }
 }
 
@@ -155,44 +171,34 @@ void BoundaryEvidence::adapt(const TraceWindows& windows) {
   }
 }
 
-float BoundaryEvidence::weigh_window(const TraceWindows& windows, std::size_t i) const {
+void BoundaryEvidence::weigh_windows(const TraceWindows& windows) {
   constexpr float kHeightGrows = 0.02F;  // what the polynomial misses per metre beyond kGrowsFrom_m
   constexpr float kSlopeGrows = 0.002F;
   constexpr float kGrowsFrom_m = 10.0F;
   constexpr float kWanderShare = 0.15F;  // of a slope that wanders, what bends within a window
   constexpr float kTypicalRatio = 4.0F;  // of variances; groomed snow rarely exceeds it
   constexpr float kRoughWeight = 1.5F;
-  const float beyond = std::max(windows.range_m[i] - kGrowsFrom_m, 0.0F);
-  const float length = windows.length_m[i];
-  float ratio = 0.0F;
-  if (config_.use_height) {
-    const float sigma = std::hypot(static_cast<float>(noise_.height_m), kHeightGrows * beyond);
-    ratio += log_ratio(height_residual_[i] / sigma, kHeightAgainst);
-  }
-  if (config_.use_slope && length > kMinSlopeLength_m) {
-    const float sigma = std::hypot(static_cast<float>(noise_.slope), kSlopeGrows * beyond);
-    ratio += log_ratio(slope_residual_[i] / sigma, kSlopeAgainst);
-  }
-  if (config_.use_roughness) {
-    const float bend = kWanderShare * wander_ * length;
-    const float excess = windows.variance_m2[i] / ((expected_m2_[i] + bend * bend) * kTypicalRatio);
-    ratio += kRoughWeight * std::clamp(2.0F * std::log(std::max(excess, 1e-6F)), kRoughAgainst, kMostFor);
-  }
-  return ratio * std::clamp(1.5F * length / windows.nominal_m[i], 0.2F, 1.2F);
-}
-
-void BoundaryEvidence::add_obstacles(std::span<const Label> labels, const LevelPoints& level,
-                                     const bearing_grid::SectorTable& sectors) {
-  std::fill(obstacles_.begin(), obstacles_.end(), 0.0F);
-  if (!config_.use_obstacles) {
-    return;
-  }
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] == Label::obstacle) {
-      const float range2 = level.x[i] * level.x[i] + level.y[i] * level.y[i];
-      obstacles_[cell_of(static_cast<std::size_t>(sectors(level.x[i], level.y[i])),
-                         static_cast<std::size_t>(bearing_grid::bin_of(range2)))] += kPerObstaclePoint;
+  const auto height2 = static_cast<float>(noise_.height_m * noise_.height_m);
+  const auto slope2 = static_cast<float>(noise_.slope * noise_.slope);
+  weights_.resize(windows.size());
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const float beyond = std::max(windows.range_m[i] - kGrowsFrom_m, 0.0F);
+    const float length = windows.length_m[i];
+    float ratio = 0.0F;
+    if (config_.use_height) {
+      const float variance = height2 + kHeightGrows * kHeightGrows * beyond * beyond;
+      ratio += log_ratio(height_residual_[i] * height_residual_[i] / variance, kHeightAgainst);
     }
+    if (config_.use_slope && length > kMinSlopeLength_m) {
+      const float variance = slope2 + kSlopeGrows * kSlopeGrows * beyond * beyond;
+      ratio += log_ratio(slope_residual_[i] * slope_residual_[i] / variance, kSlopeAgainst);
+    }
+    if (config_.use_roughness) {
+      const float bend = kWanderShare * wander_ * length;
+      const float excess = windows.variance_m2[i] / ((expected_m2_[i] + bend * bend) * kTypicalRatio);
+      ratio += kRoughWeight * std::clamp(2.0F * std::log(std::max(excess, 1e-6F)), kRoughAgainst, kMostFor);
+    }
+    weights_[i] = ratio * std::clamp(1.5F * length / windows.nominal_m[i], 0.2F, 1.2F);
   }
 }
 

@@ -22,23 +22,23 @@ class BoundaryEvidence {
   /// Takes the windows in: their cells, and how rough snow as near as the machine's own way is here.
   void set_windows(const TraceWindows& windows, const LevelPoints& level, bool is_radial,
                    const bearing_grid::SectorTable& sectors);
-  /// Marks windows before the boundary: `bound` has the first bin off the piste for every sector.
-  [[nodiscard]] std::span<const std::uint8_t> find_inside(std::span<const int> bound);
-  /// Marks windows nearer than `range_m`.
-  [[nodiscard]] std::span<const std::uint8_t> find_near(const TraceWindows& windows, float range_m);
-  /// Weighs windows against the surface. `inside`: as the last call of find_inside or find_near said.
+  void set_obstacles(std::span<const Label> labels, const LevelPoints& level, const bearing_grid::SectorTable& sectors);
+
+  /// Fits the surface to the windows nearer than `range_m`.
+  void fit_near(const TraceWindows& windows, float range_m, PisteSurface& surface);
+  /// Fits it to those before the boundary, the last surface in mind: `bound` has the first bin off the piste for every
+  /// sector.
+  void fit_inside(const TraceWindows& windows, std::span<const int> bound, PisteSurface& surface);
+  /// Weighs the windows against the surface that was fitted last.
   void weigh(const TraceWindows& windows, const PisteSurface& surface);
-  void add_obstacles(std::span<const Label> labels, const LevelPoints& level, const bearing_grid::SectorTable& sectors);
 
   [[nodiscard]] std::span<const float> cells() const { return cells_; }
-  /// 1 for sectors that hold a window.
-  [[nodiscard]] std::span<const std::uint8_t> seen() const { return seen_; }
-  [[nodiscard]] const PisteSurface::Noise& noise() const { return noise_; }
+  /// From the first to the last sector that holds a window; cells of others mean nothing.
+  [[nodiscard]] const bearing_grid::Arc& arc() const { return arc_; }
 
  private:
-  void compare(const TraceWindows& windows, const PisteSurface& surface);
   void adapt(const TraceWindows& windows);
-  [[nodiscard]] float weigh_window(const TraceWindows& windows, std::size_t i) const;
+  void weigh_windows(const TraceWindows& windows);
 
   BoundaryPisteConfig config_;
   PisteSurface::Noise noise_;
@@ -52,7 +52,9 @@ class BoundaryEvidence {
   std::vector<float> scratch_;
   std::vector<float> cells_;
   std::vector<float> obstacles_;
-  std::vector<std::uint8_t> seen_;
+  std::vector<float> weights_;      ///< of windows, log likelihood ratios
+  std::vector<std::uint8_t> seen_;  ///< sectors with a window
+  bearing_grid::Arc arc_;
 };
 
 }  // namespace berm

@@ -91,14 +91,15 @@ void BoundaryPiste::State::find_boundary(const PisteInput& input) {
   const Traces& found = traces.process(input.points, input.labels, level, sectors);
   cut_windows(found, config.window_m, windows);
   evidence.set_windows(windows, level, found.kind == TraceKind::radial, sectors);
-  evidence.add_obstacles(input.labels, level, sectors);
-  surface.reset();
-  const PisteSurface::Noise noise{.height_m = config.height_noise_m, .slope = config.slope_noise};
+  evidence.set_obstacles(input.labels, level, sectors);
   for (int pass = 0; pass < config.passes; ++pass) {
-    const auto inside = pass == 0 ? evidence.find_near(windows, kFirstSurface_m) : evidence.find_inside(bound);
-    surface.fit(windows, inside, noise);
+    if (pass == 0) {
+      evidence.fit_near(windows, kFirstSurface_m, surface);
+    } else {
+      evidence.fit_inside(windows, bound, surface);
+    }
     evidence.weigh(windows, surface);
-    bound = seam.find(evidence.cells(), evidence.seen());
+    bound = seam.find(evidence.cells(), evidence.arc());
   }
 }
 
@@ -107,13 +108,10 @@ void BoundaryPiste::State::relabel(std::span<const Label> input) {
     const float range_m = bearing_grid::range_of(bound[sector]);
     bound_squared_m2[sector] = range_m * range_m;
   }
-  labels.assign(input.begin(), input.end());
+  labels.resize(input.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] == Label::drivable &&
-        level.x[i] * level.x[i] + level.y[i] * level.y[i] >=
-            bound_squared_m2[static_cast<std::size_t>(sectors(level.x[i], level.y[i]))]) {
-      labels[i] = Label::terrain;
-    }
+    const bool is_beyond = level.range2[i] >= bound_squared_m2[sectors[level.turn[i]]];
+    labels[i] = is_beyond && input[i] == Label::drivable ? Label::terrain : input[i];
   }
 }
 
@@ -121,7 +119,7 @@ void BoundaryPiste::State::relabel(std::span<const Label> input) {
 void BoundaryPiste::State::trace_boundary(const Pose& T_base_level) {
   left.clear();
   right.clear();
-  const BoundarySeam::Arc arc = seam.arc();
+  const bearing_grid::Arc& arc = evidence.arc();
   int farthest = arc.first;
   for (int i = 0; i < arc.count; ++i) {
     if (bound[wrap(arc.first + i)] > bound[wrap(farthest)]) {
@@ -165,7 +163,7 @@ double BoundaryPiste::State::piste_ends_ahead_m(const Pose& T_base_level) const 
     return 0.0;
   }
   const Eigen::Matrix3d R_base_level = T_base_level.rotation().toRotationMatrix();
-  const int ahead = sectors(static_cast<float>(R_base_level(0, 0)), static_cast<float>(R_base_level(0, 1)));
+  const int ahead = sectors.of(static_cast<float>(R_base_level(0, 0)), static_cast<float>(R_base_level(0, 1)));
   int end = kBins;
   for (int sector = ahead - kSectorsAside; sector <= ahead + kSectorsAside; ++sector) {
     end = std::min(end, bound[wrap(sector)]);

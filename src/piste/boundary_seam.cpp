@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "berm/core/multiversion.hpp"
+
 namespace berm {
 namespace {
 
@@ -12,84 +14,88 @@ using bearing_grid::kSectors;
 // A seam may also run beyond the last bin.
 constexpr std::size_t kPlaces = kBins + 1;
 
-std::size_t wrap(int sector) {
-  return static_cast<std::size_t>(sector % kSectors);
-}
-
-/// The sectors without the widest gap. A full turn begins and ends straight behind.
-BoundarySeam::Arc find_arc(std::span<const std::uint8_t> seen) {
-  int gap_begin = 0;
-  int gap = 0;
-  int run = 0;
-  for (int sector = 0; sector < 2 * kSectors; ++sector) {
-    run = seen[wrap(sector)] != 0 ? 0 : std::min(run + 1, kSectors);
-    if (run > gap) {
-      gap = run;
-      gap_begin = sector - run + 1;
-    }
+/// to[i] = min(from[i], from[i - step] + cost, from[i + step] + cost)
+BERM_MULTIVERSION void widen(const float* from, float* to, std::size_t step, float cost) {
+  for (std::size_t i = 0; i < step; ++i) {
+    to[i] = std::min(from[i], from[i + step] + cost);
   }
-  return {.first = gap == 0 ? 0 : (gap_begin + gap) % kSectors, .count = kSectors - gap};
+  for (std::size_t i = step; i + step < kPlaces; ++i) {
+    to[i] = std::min(from[i], std::min(from[i - step], from[i + step]) + cost);
+  }
+  for (std::size_t i = kPlaces - step; i < kPlaces; ++i) {
+    to[i] = std::min(from[i], from[i - step] + cost);
+  }
 }
 
 }  // namespace
 
 BoundarySeam::BoundarySeam(double jump_cost, int max_jump_bins)
     : jump_cost_(static_cast<float>(jump_cost)),
-      max_jump_cost_(static_cast<float>(jump_cost * max_jump_bins)),
-      cost_(kPlaces),
+      max_jump_bins_(static_cast<std::size_t>(max_jump_bins)),
+      costs_(std::size_t{kSectors} * kPlaces),
       reached_(kPlaces),
-      from_(std::size_t{kSectors} * kPlaces),
+      shifted_(kPlaces),
       bound_(kSectors) {}
 
-/// Adds the sector at `place` of the arc: the distance transform of what the seams so far cost, plus the sector's own.
-void BoundarySeam::step(std::span<const float> cells, std::size_t place) {
-  std::uint8_t* from = from_.data() + place * kPlaces;
-  const auto cheapest = std::min_element(cost_.begin(), cost_.end());
-  const auto cheapest_bin = static_cast<std::uint8_t>(cheapest - cost_.begin());
-  const float jumped = *cheapest + max_jump_cost_;
-  for (std::size_t bin = 0; bin < kPlaces; ++bin) {
-    const bool jumps = jumped < cost_[bin];
-    reached_[bin] = jumps ? jumped : cost_[bin];
-    from[bin] = jumps ? cheapest_bin : static_cast<std::uint8_t>(bin);
+/// Turns costs of seams that end in a bin into those of reaching a bin from any: jumps of 1, 2, 4 and so on bins make
+/// up all of them, and those beyond the longest that is charged cost no more than it.
+void BoundarySeam::reach() {
+  const float any =
+      *std::min_element(reached_.begin(), reached_.end()) + static_cast<float>(max_jump_bins_) * jump_cost_;
+  for (std::size_t step = 1; step <= max_jump_bins_ && 2 * step <= kPlaces; step *= 2) {
+    widen(reached_.data(), shifted_.data(), step, static_cast<float>(step) * jump_cost_);
+    reached_.swap(shifted_);
   }
-  for (std::size_t bin = 1; bin < kPlaces; ++bin) {
-    if (reached_[bin - 1] + jump_cost_ < reached_[bin]) {
-      reached_[bin] = reached_[bin - 1] + jump_cost_;
-      from[bin] = from[bin - 1];
-    }
-  }
-  for (std::size_t bin = kPlaces - 1; bin-- > 0;) {
-    if (reached_[bin + 1] + jump_cost_ < reached_[bin]) {
-      reached_[bin] = reached_[bin + 1] + jump_cost_;
-      from[bin] = from[bin + 1];
-    }
-  }
-  float before = 0.0F;
-  for (std::size_t bin = 0; bin < kPlaces; ++bin) {
-    cost_[bin] = reached_[bin] + before;
-    before += bin < kBins ? cells[bin] : 0.0F;
+  for (float& cost : reached_) {
+    cost = std::min(cost, any);
   }
 }
 
-std::span<const int> BoundarySeam::find(std::span<const float> cells, std::span<const std::uint8_t> seen) {
-  arc_ = find_arc(seen);
+/// Bin of the sector before that the best seam through `bin` came from.
+std::size_t BoundarySeam::best_before(std::size_t place, std::size_t bin) const {
+  const float* before = costs_.data() + (place - 1) * kPlaces;
+  std::size_t best = bin;
+  float least = before[bin];
+  for (std::size_t from = 0; from < kPlaces; ++from) {
+    const std::size_t jump = std::min(from > bin ? from - bin : bin - from, max_jump_bins_);
+    const float cost = before[from] + static_cast<float>(jump) * jump_cost_;
+    if (cost < least) {
+      least = cost;
+      best = from;
+    }
+  }
+  return best;
+}
+
+std::span<const int> BoundarySeam::find(std::span<const float> cells, const bearing_grid::Arc& arc) {
   std::fill(bound_.begin(), bound_.end(), kBins);
-  if (arc_.count == 0) {
+  if (arc.count == 0) {
     return bound_;
   }
-  std::fill(cost_.begin(), cost_.end(), 0.0F);
-  for (int i = 0; i < arc_.count; ++i) {
-    step(cells.subspan(wrap(arc_.first + i) * kBins, kBins), static_cast<std::size_t>(i));
+  std::fill(reached_.begin(), reached_.end(), 0.0F);
+  for (int i = 0; i < arc.count; ++i) {
+    float* costs = costs_.data() + static_cast<std::size_t>(i) * kPlaces;
+    const float* evidence = cells.data() + arc.sector(i) * kBins;
+    float before = 0.0F;
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      costs[bin] = reached_[bin] + before;
+      before += evidence[bin];
+    }
+    costs[kBins] = reached_[kBins] + before;
+    std::copy(costs, costs + kPlaces, reached_.begin());
+    reach();
   }
-  auto bin = static_cast<std::size_t>(std::min_element(cost_.begin(), cost_.end()) - cost_.begin());
-  for (int i = arc_.count; i-- > 0;) {
-    bound_[wrap(arc_.first + i)] = static_cast<int>(bin);
-    bin = from_[static_cast<std::size_t>(i) * kPlaces + bin];
+  const auto last = static_cast<std::size_t>(arc.count - 1);
+  const float* costs = costs_.data() + last * kPlaces;
+  auto bin = static_cast<std::size_t>(std::min_element(costs, costs + kPlaces) - costs);
+  for (std::size_t place = last; place > 0; --place) {
+    bound_[arc.sector(static_cast<int>(place))] = static_cast<int>(bin);
+    bin = best_before(place, bin);
   }
-  const int gap = kSectors - arc_.count;
-  for (int i = 0; i < gap; ++i) {
-    const int last = arc_.first + arc_.count - 1;
-    bound_[wrap(last + 1 + i)] = bound_[i < gap / 2 ? wrap(last) : wrap(arc_.first)];
+  bound_[arc.sector(0)] = static_cast<int>(bin);
+  for (int i = arc.count; i < kSectors; ++i) {
+    const bool is_nearer_last = i - arc.count < (kSectors - arc.count) / 2;
+    bound_[arc.sector(i)] = bound_[arc.sector(is_nearer_last ? arc.count - 1 : 0)];
   }
   return bound_;
 }

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
+#include <cstdint>
 #include <vector>
 
-#include "berm/core/label.hpp"
 #include "berm/core/point_cloud.hpp"
 #include "berm/core/pose.hpp"
 
@@ -16,7 +14,9 @@ struct LevelPoints {
   std::vector<float> x;
   std::vector<float> y;
   std::vector<float> z;
-  float sensor_height_m = 0.0F;  ///< above the plane
+  std::vector<float> range2;        ///< m^2, from the origin, on the map
+  std::vector<std::uint16_t> turn;  ///< the bearing, see `bearing_grid::turn_of`
+  float sensor_height_m = 0.0F;     ///< above the plane
 
   void fill(const PointsView& points, const Pose& T_level_sensor);
 };

@@ -22,25 +22,32 @@ class PisteSurface {
     double slope = 0.06;
   };
 
-  /// Weighted least squares over heights and slopes of the windows whose `is_piste` is 1, drawn to the level plane
-  /// where there is little to go by. Windows that an earlier fit of this surface misses weigh less.
-  void fit(const TraceWindows& windows, std::span<const std::uint8_t> is_piste, const Noise& noise);
+  PisteSurface() { reset(); }
+  /// Back to the level plane.
   void reset();
+  /// Weighted least squares over heights and slopes of the windows whose `is_piste` is 1, drawn to the level plane
+  /// where there is little to go by. Windows that the surface so far misses weigh less: the residuals are those of
+  /// `compare`, or empty for no surface so far.
+  void fit(const TraceWindows& windows, std::span<const std::uint8_t> is_piste,
+           std::span<const float> height_residual_m, std::span<const float> slope_residual, const Noise& noise);
 
   [[nodiscard]] float height_m(float x_m, float y_m) const;
-  /// Rise per metre towards (along_x, along_y).
-  [[nodiscard]] float slope(float x_m, float y_m, float along_x, float along_y) const;
+  /// How far each window lies from the surface, and by how much its slope differs; absolute values.
+  void compare(const TraceWindows& windows, std::span<float> height_residual_m, std::span<float> slope_residual) const;
 
-  /// Variance of what `terms` says: a height is `height_terms`.
-  [[nodiscard]] double variance(const Terms& terms) const;
+  /// Value and variance of a combination of the coefficients.
   [[nodiscard]] double value(const Terms& terms) const { return coefficients_.dot(terms); }
+  [[nodiscard]] double variance(const Terms& terms) const;
+  /// The combination that is the height at a place.
   [[nodiscard]] static Terms height_terms(double x_m, double y_m);
+  /// The combination that is the rise per metre there, towards (along_x, along_y).
   [[nodiscard]] static Terms slope_terms(double x_m, double y_m, double along_x, double along_y);
 
  private:
-  Terms coefficients_ = Terms::Zero();
-  Eigen::Matrix<double, kTerms, kTerms> information_ = Eigen::Matrix<double, kTerms, kTerms>::Identity();
-  bool is_fitted_ = false;
+  using Information = Eigen::Matrix<double, kTerms, kTerms>;
+
+  Terms coefficients_;
+  Information information_;
 };
 
 }  // namespace berm

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "berm/core/multiversion.hpp"
+
 namespace berm {
 namespace {
 
@@ -55,6 +57,33 @@ Closeness closeness(const PointsView& points, std::size_t lag) {
     return {};
   }
   return {static_cast<float>(close) / static_cast<float>(pairs), sum / static_cast<float>(close)};
+}
+
+/// A trace breaks where beams are no neighbours, and where the next point lies much farther away than ground that is
+/// as flat as the level would put it: dr = R^2 / h dphi.
+BERM_MULTIVERSION void mark_breaks(float sensor_height_m, float max_squared_rad, Traces& traces) {
+  const std::size_t size = traces.x.size();
+  const float per_height = 3.0F / std::max(sensor_height_m, 0.1F);
+  const float* x = traces.x.data();
+  const float* y = traces.y.data();
+  const float* z = traces.z.data();
+  float* range = traces.range.data();
+  std::uint8_t* is_broken = traces.is_broken.data();
+  for (std::size_t i = 0; i < size; ++i) {
+    const float dz = z[i] - sensor_height_m;
+    range[i] = std::sqrt(x[i] * x[i] + y[i] * y[i] + dz * dz);
+  }
+  for (std::size_t i = 1; i < size; ++i) {
+    const float dx = x[i] - x[i - 1];
+    const float dy = y[i] - y[i - 1];
+    const float dz = z[i] - z[i - 1];
+    const float dr = range[i] - range[i - 1];
+    const float step2 = dx * dx + dy * dy + dz * dz;
+    const float squared_rad = std::max(step2 - dr * dr, 0.0F) / std::max(range[i] * range[i - 1], 0.01F);
+    const float reach = 0.4F + per_height * std::sqrt(squared_rad) * range[i] * std::max(range[i], kMinReach_m);
+    const bool breaks = squared_rad > max_squared_rad || step2 > reach * reach;
+    is_broken[i] = breaks ? 1 : 0;
+  }
 }
 
 bool has_rings(const PointsView& points) {
@@ -136,17 +165,17 @@ void TraceFinder::order_radially(std::span<const Label> labels, const LevelPoint
                                  const bearing_grid::SectorTable& sectors) {
   keys_.resize(labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    keys_[i] = labels[i] == Label::drivable ? static_cast<std::uint32_t>(sectors(level.x[i], level.y[i])) : 0;
+    keys_[i] = labels[i] == Label::drivable ? std::uint32_t{sectors[level.turn[i]]} : 0;
   }
   order_by(keys_, bearing_grid::kSectors, labels);
-  const auto squared_range = [&](std::uint32_t i) { return level.x[i] * level.x[i] + level.y[i] * level.y[i]; };
+
   // `order_by` leaves in starts_ where each key ends.
   std::uint32_t begin = 0;
   for (std::size_t key = 0; key + 1 < starts_.size(); ++key) {
     std::sort(traces_.index.begin() + begin, traces_.index.begin() + starts_[key],
               [&](std::uint32_t a, std::uint32_t b) {
-                const float range_a = squared_range(a);
-                const float range_b = squared_range(b);
+                const float range_a = level.range2[a];
+                const float range_b = level.range2[b];
                 return range_a != range_b ? range_a < range_b : a < b;
               });
     begin = starts_[key];
@@ -166,30 +195,12 @@ void TraceFinder::gather(const LevelPoints& level) {
   }
 }
 
-/// A trace breaks where beams are no neighbours, and where the next point lies much farther away than ground that is
-/// seen as flat as the level would put it: dr = R^2 / h dphi.
 void TraceFinder::find_breaks(const LevelPoints& level) {
-  const std::size_t size = traces_.index.size();
-  const float h = std::max(level.sensor_height_m, 0.1F);
-  traces_.range.resize(size);
-  traces_.is_broken.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const float dz = traces_.z[i] - level.sensor_height_m;
-    traces_.range[i] = std::sqrt(traces_.x[i] * traces_.x[i] + traces_.y[i] * traces_.y[i] + dz * dz);
-  }
+  traces_.range.resize(traces_.index.size());
+  traces_.is_broken.resize(traces_.index.size());
   const float max_squared_rad = traces_.kind == TraceKind::radial ? 4.0F : kMaxStep_rad * kMaxStep_rad;
-  for (std::size_t i = 1; i < size; ++i) {
-    const float dx = traces_.x[i] - traces_.x[i - 1];
-    const float dy = traces_.y[i] - traces_.y[i - 1];
-    const float dz = traces_.z[i] - traces_.z[i - 1];
-    const float range = traces_.range[i];
-    const float step2 = dx * dx + dy * dy + dz * dz;
-    const float dr = range - traces_.range[i - 1];
-    const float squared_rad = std::max(step2 - dr * dr, 0.0F) / std::max(range * traces_.range[i - 1], 0.01F);
-    const float reach = 0.4F + 3.0F * std::sqrt(squared_rad) * range * std::max(range, kMinReach_m) / h;
-    traces_.is_broken[i] = squared_rad > max_squared_rad || step2 > reach * reach ? 1 : 0;
-  }
-  if (size > 0) {
+  mark_breaks(level.sensor_height_m, max_squared_rad, traces_);
+  if (!traces_.is_broken.empty()) {
     traces_.is_broken[0] = 1;
   }
 }
