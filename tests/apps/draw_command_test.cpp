@@ -1,3 +1,8 @@
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,6 +79,54 @@ TEST_F(DrawCommandTest, WhatIsNotThereIsSaid) {
   EXPECT_THAT(truth.err, HasSubstr("no labels"));
   EXPECT_EQ(draw({"--run", (folder_ / "nowhere").string(), "-o", "-"}).exit_code, 1);
   EXPECT_EQ(draw({"-o", (folder_ / "nowhere/scan.png").string()}).exit_code, 1);
+}
+
+TEST_F(DrawCommandTest, FiguresOfThePisteAreDifferentPictures) {
+  const std::string scan = draw({"--machine", "groomer", "-o", "-"}).out;
+  const std::string histogram = draw({"--machine", "groomer", "--figure", "histogram", "-o", "-"}).out;
+  const std::string of_truth = draw({"--truth", "--figure", "histogram", "-o", "-"}).out;
+  const std::string bare = draw({"--figure", "histogram", "-o", "-"}).out;
+  for (const std::string& picture : {scan, histogram, of_truth, bare}) {
+    EXPECT_THAT(picture, StartsWith(kPngMagic));
+  }
+  EXPECT_NE(scan, histogram);
+  std::set<std::string> waveforms;
+  for (const char* method : {"piste=default", "piste=reference"}) {
+    for (const char* first : {"0", "100"}) {
+      const ProgramResult result = draw({"--machine", "groomer", "--method", method, "--figure", "waveform",
+                                         "--first-point", first, "--points", "80", "-o", "-"});
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_THAT(result.out, StartsWith(kPngMagic));
+      waveforms.insert(result.out);
+    }
+  }
+  EXPECT_EQ(waveforms.size(), 4U);
+}
+
+TEST_F(DrawCommandTest, AWaveformNeedsAPisteMethodAndPoints) {
+  const auto problem = [this](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"--figure", "waveform", "-o", "-"};
+    all.insert(all.end(), more.begin(), more.end());
+    const ProgramResult result = draw(all);
+    EXPECT_EQ(result.exit_code, 2);
+    return result.err;
+  };
+  EXPECT_THAT(problem({}), HasSubstr("needs --machine"));
+  EXPECT_THAT(problem({"--machine", "car"}), HasSubstr("--method piste=default"));
+  EXPECT_THAT(problem({"--machine", "groomer", "--truth"}), HasSubstr("neither --run nor --truth"));
+  EXPECT_THAT(problem({"--machine", "groomer", "--first-point", "300"}), HasSubstr("the scan has 300 points"));
+  EXPECT_EQ(draw({"--figure", "poem", "-o", "-"}).exit_code, 2);
+}
+
+TEST_F(DrawCommandTest, AHistogramNeedsIntensity) {
+  PointChannels channels;
+  channels.x = {1.0F};
+  channels.y = {0.0F};
+  channels.z = {0.0F};
+  write_pcd(recording_ / "scans/000000.pcd", PointCloud(std::move(channels)).view());
+  const ProgramResult result = draw({"--figure", "histogram", "-o", "-"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("no intensity"));
 }
 
 }  // namespace

@@ -145,5 +145,23 @@ TEST_F(RunCommandTest, RealScansGiveTheSameBytesOnTwoThreads) {
   }
 }
 
+TEST_F(RunCommandTest, EveryMethodOfSnowAndPisteCanBeNamed) {
+  test::make_recording(recording_, 2);
+  for (const char* snow : {"none", "default", "reference"}) {
+    for (const char* piste : {"none", "default", "reference"}) {
+      const ProgramResult result = run_berm(
+          arguments({"--force", "--method", std::string("snow=") + snow, "--method", std::string("piste=") + piste}));
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_EQ(report()["machine"]["methods"]["snow"], snow);
+      EXPECT_EQ(report()["machine"]["methods"]["piste"], piste);
+      EXPECT_EQ(fs::exists(out_ / "boundary.csv"), std::string(piste) != "none") << "an earlier one is removed";
+      EXPECT_TRUE(fs::exists(out_ / "scans.csv"));
+    }
+  }
+  const ProgramResult wrong = run_berm(arguments({"--force", "--method", "piste=best"}));
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("none, default or reference"));
+}
+
 }  // namespace
 }  // namespace berm

@@ -1,5 +1,6 @@
 #include "berm/render/draw_scan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
@@ -368,6 +369,39 @@ TEST(DrawClasses, TakesClassesOfTheCaller) {
   EXPECT_EQ(*image.find(100, 150), *image.find(0, 0)) << "an index beyond the classes is not drawn";
   EXPECT_THROW((void)draw_classes(cloud.view(), std::vector<std::uint8_t>{0}, classes, bare()), Error);
   EXPECT_THROW((void)draw_classes(cloud.view(), class_of_point, std::vector<PointClass>(251), bare()), Error);
+}
+
+TEST(DrawScan, LinesLieOverThePointsAndInTheLegendOnce) {
+  const Rgb white{255, 255, 255};
+  DrawOptions options = bare();
+  options.lines = {{"edge", white, {{2.0, 3.0, 0.0}, {8.0, 3.0, 0.0}}}, {"edge", white, {{2.0, -3.0, 0.0}}}};
+  const PointCloud cloud = cloud_of({{5.0F, 3.0F, 0.0F}});
+  const Image image = draw_scan(cloud.view(), {}, options);
+  // y = 3 is 30 pixels left of the middle, x = 2..8 is 20 to 80 pixels above it.
+  const auto brightness = [&image](int column, int row) { return static_cast<int>(image.find(column, row)->b); };
+  EXPECT_GT(brightness(70, 50), 200) << "over the point";
+  EXPECT_GT(brightness(70, 75), 200);
+  EXPECT_LT(brightness(70, 90), 100);
+  EXPECT_LT(brightness(130, 80), 100) << "a line needs two vertices";
+  options.lines[0].vertices_m.push_back({kNan, 0.0, 0.0});
+  EXPECT_EQ(draw_scan(cloud.view(), {}, options).width_px(), 200);
+}
+
+TEST(DrawScan, LookingAheadLeavesOutWhatIsBehind) {
+  DrawOptions options = bare();
+  options.ahead = true;
+  const PointCloud cloud = cloud_of({{9.0F, 0.0F, 0.0F}, {-9.0F, 0.0F, 0.0F, Label::terrain}});
+  for (const DrawView view : {DrawView::top, DrawView::side}) {
+    options.view = view;
+    options.width_px = 200;
+    options.height_px = 100;
+    const Image image = draw_scan(cloud.view(), {}, options);
+    const auto has = [&image](Rgb color) {
+      return std::find(image.pixels().begin(), image.pixels().end(), color) != image.pixels().end();
+    };
+    EXPECT_TRUE(has(color_of(Label::obstacle)));
+    EXPECT_FALSE(has(color_of(Label::terrain)));
+  }
 }
 
 }  // namespace
