@@ -1,7 +1,7 @@
 #include "near_points.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 
 #include "count_between.hpp"
 
@@ -26,8 +26,22 @@ int choose_bits(double returns_per_block) {
   return bits;
 }
 
+/// Fewer returns in a cell leave room for a thin thing to pass unseen.
+constexpr std::uint32_t kFewReturns = 10;
+
 /// Ranges are kept in 16 bits.
 constexpr float kSteps = 65000.0F;
+
+/// Of equal parts that would be as even as these are: 1 if one has it all.
+double effective_number(const std::array<double, NearPoints::kSectors>& parts) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double part : parts) {
+    sum += part;
+    squares += part * part;
+  }
+  return squares > 0.0 ? sum * sum / squares : 1.0;
+}
 
 }  // namespace
 
@@ -111,14 +125,14 @@ void NearPoints::add_up_banks() {
   }
 }
 
-/// Counts sectors with returns, and how many returns a block holds on average over where the sensor looks: over cells
-/// of four by four that hold any.
+/// How many sectors the returns fill, and how many returns a block holds on average over where the sensor looks: over
+/// cells of four by four that hold any.
 void NearPoints::look_where_returns_are() {
   constexpr std::size_t kSide = std::size_t{1} << DirectionCells::kUsualBits;
   constexpr std::size_t kCoarse = kSide / 4;
   std::size_t seen = 0;
   std::size_t returns = 0;
-  sectors_seen_ = 0;
+  std::array<double, kSectors> of_sector{};
   for (std::size_t face = 0; face < DirectionCells::kFaces; ++face) {
     if (!face_used_[face]) {
       continue;
@@ -131,14 +145,13 @@ void NearPoints::look_where_returns_are() {
             counts[4 * k].all + counts[4 * k + 1].all + counts[4 * k + 2].all + counts[4 * k + 3].all;
       }
     }
-    std::uint32_t sectors = 0;
     for (std::size_t k = 0; k < sums.size(); ++k) {
       returns += sums[k];
       seen += sums[k] > 0 ? 1U : 0U;
-      sectors |= (sums[k] > 0 ? 1U : 0U) << (k / kCoarse / 4 * 4 + k % kCoarse / 4);
+      of_sector[16 * face + k / kCoarse / 4 * 4 + k % kCoarse / 4] += sums[k];
     }
-    sectors_seen_ += static_cast<std::size_t>(std::popcount(sectors));
   }
+  sectors_seen_ = effective_number(of_sector);
   returns_per_block_ = seen > 0 ? 9.0 / 16.0 * static_cast<double>(returns) / static_cast<double>(seen) : 0.0;
 }
 
@@ -240,13 +253,18 @@ std::uint32_t NearPoints::count_like(std::size_t i, const Block& block, float to
 
 bool NearPoints::lies_on_line(std::size_t i, const Block& block, float tolerance_m, float share) const {
   const Band band = band_of(i, tolerance_m);
+  const auto cell_holds = [&](std::uint32_t c) {
+    const std::uint32_t found = count_in(c, c, band);
+    return found > 0 && static_cast<float>(found) > share * static_cast<float>(counts_[c].all);
+  };
   const auto holds = [&](std::size_t k) {
     const std::uint32_t c = block.cells[k];
     if (c == cells_.nowhere()) {
       return false;
     }
-    const std::uint32_t found = count_in(c, c, band);
-    return found > 0 && static_cast<float>(found) > share * static_cast<float>(counts_[c].all);
+    // A cell that few beams met, between two rings or two petals, says nothing: then the one behind it is asked.
+    const bool says_nothing = counts_[c].all < kFewReturns && block.inner && cells_.is_inner(c);
+    return cell_holds(c) || (says_nothing && cell_holds(c + c - cell_[i]));
   };
   return (holds(1) && holds(7)) || (holds(3) && holds(5)) || (holds(0) && holds(8)) || (holds(2) && holds(6));
 }

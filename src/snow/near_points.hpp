@@ -27,8 +27,8 @@ class NearPoints {
   [[nodiscard]] std::uint32_t index(std::size_t i) const { return index_[i]; }
   [[nodiscard]] float range_m(std::size_t i) const { return range_m_[i]; }
   [[nodiscard]] std::uint32_t sector(std::size_t i) const;
-  /// In how many sectors there is any return.
-  [[nodiscard]] std::size_t sectors_seen() const { return sectors_seen_; }
+  /// How many sectors the returns fill; sectors at the rim of the view count for a part.
+  [[nodiscard]] double sectors_seen() const { return sectors_seen_; }
 
   /// The nine cells around a point, and how many returns of other beams they hold.
   struct Block {
@@ -69,7 +69,7 @@ class NearPoints {
 
   DirectionCells cells_;
   std::size_t size_ = 0;
-  std::size_t sectors_seen_ = 0;
+  double sectors_seen_ = 1.0;
   double returns_per_block_ = 0.0;
   float steps_per_m_ = 1.0F;
   std::array<bool, DirectionCells::kFaces> face_used_{};

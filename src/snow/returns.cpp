@@ -1,6 +1,7 @@
 #include "returns.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace berm {
 namespace {
@@ -8,9 +9,24 @@ namespace {
 /// No sensor sees 10 km; coordinates beyond are noise of a broken file.
 constexpr float kAbsurd_m = 1e4F;
 
+/// Without branches, so that the compiler can look at several points at once.
 bool has_no_return(const PointsView& points) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  int found = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_no_return(points.x[i], points.y[i], points.z[i])) {
+    const float x = std::fabs(points.x[i]);
+    const float y = std::fabs(points.y[i]);
+    const float z = std::fabs(points.z[i]);
+    const int zero = (x == 0.0F) & (y == 0.0F) & (z == 0.0F);
+    const int infinite = (x == kInfinity) | (y == kInfinity) | (z == kInfinity);
+    found |= zero | infinite;
+  }
+  return found != 0;
+}
+
+bool has_point(const PointsView& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_usable(points.x[i], points.y[i], points.z[i])) {
       return true;
     }
   }
@@ -40,7 +56,9 @@ bool is_usable(float x_m, float y_m, float z_m) {
 }
 
 SnowLimits find_limits(const PointsView& points) {
-  return {.no_intensity = !has_two_intensities(points), .no_returns_dropped = !has_no_return(points)};
+  return {.no_intensity = !has_two_intensities(points),
+          .no_returns_dropped = !points.empty() && !has_no_return(points),
+          .no_points = !has_point(points)};
 }
 
 }  // namespace berm

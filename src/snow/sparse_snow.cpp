@@ -26,10 +26,13 @@ constexpr float kLineShare = 0.12F;
 /// Snow that is spread evenly is believed from this share of the near points on ...
 constexpr double kLeastShare = 0.0005;
 /// ... and a single heap from this one.
-constexpr double kHeapShare = 0.02;
+constexpr double kHeapShare = 0.03;
+
+/// Flakes that are not dark are looked for if more than this share of a sample shows some.
+constexpr double kShownShare = 0.02;
 
 /// Looking for the level goes on until surfaces outweigh what was won by this share of the near points.
-constexpr float kLostShare = 0.01F;
+constexpr float kLostShare = 0.02F;
 
 /// NaN is as dark as nothing.
 std::uint8_t level_of(float intensity) {
@@ -145,7 +148,7 @@ bool SparseSnow::State::snow_shows_above(int dark_level) const {
       found += stands_alone(i, bright) ? 1U : 0U;
     }
   }
-  return static_cast<double>(found) > kHeapShare * static_cast<double>(seen);
+  return static_cast<double>(found) > kShownShare * static_cast<double>(seen);
 }
 
 void SparseSnow::State::judge_above(int dark_level) {

@@ -15,7 +15,7 @@ double Spread::evenness() const {
     sum += n;
     pairs += n * (n - 1.0);
   }
-  return pairs > 0.0 ? std::min(1.0, sum * sum / (static_cast<double>(std::max<std::size_t>(seen_, 1)) * pairs)) : 1.0;
+  return pairs > 0.0 ? std::min(1.0, sum * sum / (seen_ * pairs)) : 1.0;
 }
 
 }  // namespace berm

@@ -15,12 +15,12 @@ class Spread {
   explicit Spread(const NearPoints& near);
 
   void add(std::uint32_t sector) { ++marks_[sector]; }
-  /// 1: as even as chance; towards 0: heaped. Less than two marks are even.
+  /// 1: as even as chance among the sectors that returns come from; towards 0: heaped. Less than two marks are even.
   [[nodiscard]] double evenness() const;
 
  private:
   std::array<std::uint32_t, NearPoints::kSectors> marks_{};
-  std::size_t seen_ = 0;
+  double seen_;
 };
 
 }  // namespace berm

@@ -13,6 +13,7 @@ namespace berm {
 struct SnowLimits {
   bool no_intensity = false;        ///< the channel is absent, or says the same of every point
   bool no_returns_dropped = false;  ///< not one beam without a return: the driver may have dropped them
+  bool no_points = false;           ///< nothing but beams without a return, NaN and absurd points
 };
 
 struct SnowResult {
