@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "multiversion.hpp"
+#include "berm/core/multiversion.hpp"
 
 namespace berm {
 namespace {

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
+#include "berm/core/multiversion.hpp"
 #include "berm/geometry/plane_fit.hpp"
-#include "multiversion.hpp"
 
 namespace berm {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "multiversion.hpp"
+#include "berm/core/multiversion.hpp"
 
 namespace berm {
 namespace {
