@@ -28,6 +28,9 @@ constexpr double kLeastShare = 0.0005;
 /// ... and a single heap from this one.
 constexpr double kHeapShare = 0.03;
 
+/// Dark levels have so many times more flakes to a surface point than the brightest.
+constexpr double kMostOdds = 3.0;
+
 /// Flakes that are not dark are looked for if more than this share of a sample shows some.
 constexpr double kShownShare = 0.02;
 
@@ -37,6 +40,11 @@ constexpr float kLostShare = 0.02F;
 /// NaN is as dark as nothing.
 std::uint8_t level_of(float intensity) {
   return static_cast<std::uint8_t>(std::min(255.0F, std::max(0.0F, intensity)));
+}
+
+/// One point in 32, chosen by the bits of its range, so that the order of points does not matter.
+bool is_in_sample(float range_m) {
+  return std::bit_cast<std::uint32_t>(range_m) * 2654435769U >> 27U == 0;
 }
 
 /// How alone a flake has to be.
@@ -57,6 +65,7 @@ struct SparseSnow::State {
 
   [[nodiscard]] bool stands_alone(std::size_t i, const Demand& demand) const;
   void find_levels(std::span<const float> intensity);
+  [[nodiscard]] float weigh_surfaces() const;
   [[nodiscard]] int find_dark_level();
   [[nodiscard]] bool snow_shows_above(int dark_level) const;
   void judge_above(int dark_level);
@@ -109,10 +118,28 @@ void SparseSnow::State::find_levels(std::span<const float> intensity) {
   }
 }
 
+/// What a surface point counts against a flake, at least as much as makes the brightest tenth of the points a loss:
+/// they are no flakes, and where beams are sparse many of them look like some all the same.
+float SparseSnow::State::weigh_surfaces() const {
+  const std::size_t first = near.size() - near.size() / 10;
+  std::size_t seen = 0;
+  std::size_t found = 0;
+  for (std::size_t l = 0; l < kLevels; ++l) {
+    for (std::size_t k = level_begin[l]; k < level_begin[l + 1] && level_begin[l + 1] > first; ++k) {
+      if (is_in_sample(near.range_m(by_level[k]))) {
+        ++seen;
+        found += stands_alone(by_level[k], dark) ? 1U : 0U;
+      }
+    }
+  }
+  const auto odds = static_cast<double>(found) / static_cast<double>(seen - found + 1);
+  return static_cast<float>(std::max(config.surface_weight, kMostOdds * odds));
+}
+
 /// Goes up the levels of intensity and judges their points, until surfaces clearly outweigh flakes. The dark level is
 /// where the flakes won most; -1 if they never did.
 int SparseSnow::State::find_dark_level() {
-  const auto surface_weight = static_cast<float>(config.surface_weight);
+  const float surface_weight = weigh_surfaces();
   const auto lost = kLostShare * static_cast<float>(near.size());
   float sum = 0.0F;
   float best = 0.0F;
@@ -137,13 +164,12 @@ int SparseSnow::State::find_dark_level() {
   return best_level;
 }
 
-/// Looks at one point in 32, chosen by the bits of its range, so that the order of points does not matter.
+/// Looks at a sample.
 bool SparseSnow::State::snow_shows_above(int dark_level) const {
   std::size_t seen = 0;
   std::size_t found = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const bool chosen = std::bit_cast<std::uint32_t>(near.range_m(i)) * 2654435769U >> 27U == 0;
-    if (chosen && level[i] > dark_level) {
+    if (level[i] > dark_level && is_in_sample(near.range_m(i))) {
       ++seen;
       found += stands_alone(i, bright) ? 1U : 0U;
     }
