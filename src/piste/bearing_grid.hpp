@@ -62,7 +62,7 @@ class SectorTable {
   [[nodiscard]] std::uint8_t of(float x, float y) const { return sectors_[turn_of(x, y)]; }
 
  private:
-  std::array<std::uint8_t, std::size_t{4} * kTurnsPerQuadrant> sectors_;
+  std::array<std::uint8_t, std::size_t{4} * kTurnsPerQuadrant> sectors_{};
 };
 
 /// Sectors one after the other, counterclockwise, maybe across straight behind.
