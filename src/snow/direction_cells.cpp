@@ -34,7 +34,7 @@ inline Place place_of(float x, float y, float z, std::int32_t side, std::int32_t
   const bool on_z = az > axy;
   const bool on_y = !on_z & (ay > ax);
   const float main = on_z ? z : (on_y ? y : x);
-  const float first = on_z | on_y ? x : y;
+  const float first = (on_z | on_y) ? x : y;
   const float second = on_z ? y : z;
   const float scale = 1.0F / (usable ? largest : 1.0F);
   const float u = (usable ? first : 0.0F) * scale;

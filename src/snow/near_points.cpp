@@ -98,8 +98,8 @@ void NearPoints::gather(const PointsView& points, float max_range_m) {
     index_[near] = static_cast<std::uint32_t>(i);
     range_m_[near] = range_m;
     cell_[near] = cell;
-    const std::uint32_t is_near = (range_m > 0.0F) & (range_m < max_range_m) ? 1U : 0U;
-    banks_[2U * cell + (i & 1U)] += 1U + (std::uint64_t{is_near} << 32U);
+    const std::uint32_t is_near = ((range_m > 0.0F) & (range_m < max_range_m)) ? 1U : 0U;
+    banks_[2U * std::size_t{cell} + (i & 1U)] += 1U + (std::uint64_t{is_near} << 32U);
     faces |= 1U << cells_.face(cell);
     near += is_near;
   }
