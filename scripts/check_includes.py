@@ -22,11 +22,13 @@ TABLE = {
     "ground": {"core", "geometry"},
     "snow": {"core", "geometry"},
     "piste": {"core", "geometry"},
+    "edge": {"core", "geometry"},
+    "map": {"core", "geometry"},
     "io": {"core"},
     "sim": {"core", "geometry", "io"},
     "eval": {"core", "io"},
     "render": {"core", "geometry"},
-    "pipeline": {"core", "geometry", "ground", "snow", "piste", "io", "render"},
+    "pipeline": {"core", "geometry", "ground", "snow", "piste", "edge", "map", "io", "render"},
 }
 # Modules that users embed: what their includes in angle brackets may start with, beside the standard library.
 LEAN = {
@@ -35,6 +37,7 @@ LEAN = {
     "ground": ("Eigen/", "tsl/"),
     "snow": ("Eigen/", "tsl/"),
     "piste": ("Eigen/", "tsl/"),
+    "edge": ("Eigen/", "tsl/"),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+")

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "berm/core/config.hpp"
+#include "berm/core/edge.hpp"
+#include "berm/map/edge_map.hpp"
+
+namespace berm {
+
+/// Settings of turning voxels into lines.
+struct EdgeLinesConfig {
+  double spacing_m = 0.5;
+  double max_gap_m = 3.0;
+  double min_length_m = 3.0;
+
+  static void fields(auto&& field) {
+    field("spacing_m", &EdgeLinesConfig::spacing_m, Range{0.05, 10.0}, "between vertices");
+    field("max_gap_m", &EdgeLinesConfig::max_gap_m, Range{0.1, 50.0},
+          "a line is carried across unseen stretches up to this");
+    field("min_length_m", &EdgeLinesConfig::min_length_m, Range{0.0, 1000.0}, "shorter lines are left out");
+  }
+  void check() const { check_fields(*this, "lines"); }
+};
+
+/// The edges of a map as lines: ordered along the edge, smooth within the noise and not beyond, gaps kept as gaps. The
+/// same map gives the same lines.
+[[nodiscard]] std::vector<EdgeLine> extract_lines(const EdgeMap& map, const EdgeLinesConfig& config);
+
+}  // namespace berm
