@@ -100,6 +100,7 @@ void tabulate(const std::string& path, bool drop_intensity) {
   const std::vector<Method> all = methods();
   std::vector<Row> rows(all.size());
   std::vector<std::unique_ptr<SnowFilter>> filters;
+  filters.reserve(all.size());
   for (const Method& method : all) {
     filters.push_back(method.make());
   }
