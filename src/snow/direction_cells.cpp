@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "multiversion.hpp"
+#include "berm/core/multiversion.hpp"
 
 namespace berm {
 namespace {
