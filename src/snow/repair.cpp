@@ -1,12 +1,27 @@
 #include "berm/snow/repair.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "berm/core/error.hpp"
+#include "berm/core/multiversion.hpp"
 #include "returns.hpp"
 
 namespace berm {
 namespace {
+
+/// Copies the points and marks the gaps.
+BERM_MULTIVERSION void find_gaps(const PointsView& points, std::span<const std::uint8_t> falling, float* x, float* y,
+                                 float* z, std::uint8_t* gap) {
+  const std::size_t size = points.size();
+  const std::uint8_t* flake = falling.data();
+  for (std::size_t i = 0; i < size; ++i) {
+    x[i] = points.x[i];
+    y[i] = points.y[i];
+    z[i] = points.z[i];
+    gap[i] = static_cast<std::uint8_t>((flake[i] != 0) | !is_usable(x[i], y[i], z[i]));
+  }
+}
 
 /// Fills [begin, end) of one coordinate between its neighbours; with n - m + 2 steps from one to the other (P eq. 1).
 void fill_gap(std::vector<float>& values, std::size_t begin, std::size_t end) {
@@ -27,27 +42,19 @@ SeriesView SeriesRepair::process(const PointsView& points, std::span<const std::
   if (falling.size() != size) {
     throw Error(ErrorCode::invalid_argument, "SeriesRepair: one mark per point is needed");
   }
-  x_.assign(points.x.begin(), points.x.end());
-  y_.assign(points.y.begin(), points.y.end());
-  z_.assign(points.z.begin(), points.z.end());
-  interpolated_.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    interpolated_[i] = falling[i] != 0 || !is_usable(x_[i], y_[i], z_[i]) ? 1 : 0;
+  for (auto* channel : {&x_, &y_, &z_}) {
+    channel->resize(size);
   }
-  std::size_t begin = 0;
-  while (begin < size) {
-    if (interpolated_[begin] == 0) {
-      ++begin;
-      continue;
+  interpolated_.resize(size);
+  find_gaps(points, falling, x_.data(), y_.data(), z_.data(), interpolated_.data());
+  const auto first = interpolated_.begin();
+  const auto last = interpolated_.end();
+  for (auto begin = std::find(first, last, 1); begin != last;) {
+    const auto end = std::find(begin, last, 0);
+    for (auto* channel : {&x_, &y_, &z_}) {
+      fill_gap(*channel, static_cast<std::size_t>(begin - first), static_cast<std::size_t>(end - first));
     }
-    std::size_t end = begin + 1;
-    while (end < size && interpolated_[end] != 0) {
-      ++end;
-    }
-    fill_gap(x_, begin, end);
-    fill_gap(y_, begin, end);
-    fill_gap(z_, begin, end);
-    begin = end;
+    begin = std::find(end, last, 1);
   }
   return {.x = x_, .y = y_, .z = z_, .interpolated = interpolated_};
 }

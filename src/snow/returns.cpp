@@ -6,9 +6,6 @@
 namespace berm {
 namespace {
 
-/// No sensor sees 10 km; coordinates beyond are noise of a broken file.
-constexpr float kAbsurd_m = 1e4F;
-
 /// Without branches, so that the compiler can look at several points at once.
 bool has_no_return(const PointsView& points) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -49,11 +46,6 @@ bool has_two_intensities(const PointsView& points) {
 }
 
 }  // namespace
-
-bool is_usable(float x_m, float y_m, float z_m) {
-  const bool sane = std::fabs(x_m) < kAbsurd_m && std::fabs(y_m) < kAbsurd_m && std::fabs(z_m) < kAbsurd_m;
-  return sane && !(x_m == 0.0F && y_m == 0.0F && z_m == 0.0F);
-}
 
 SnowLimits find_limits(const PointsView& points) {
   return {.no_intensity = !has_two_intensities(points),
