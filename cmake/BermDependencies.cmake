@@ -9,6 +9,7 @@ find_package(PNG REQUIRED)
 find_package(embree REQUIRED)
 find_package(lzf REQUIRED)
 find_package(tsl-robin-map REQUIRED)
+find_package(octomap REQUIRED)
 find_package(Threads REQUIRED)
 
 find_package(GDAL QUIET)
