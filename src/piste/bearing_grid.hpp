@@ -17,10 +17,10 @@ inline constexpr int kBins = 100;
 inline constexpr float kFirstRange_m = 2.0F;
 inline constexpr float kBinRatio = 0.04F;  ///< a bin is this share of its range long: as long as a sector is wide
 
-/// First bin of a range, squared; up to 109 m.
+/// Bin of a range, squared: the last from 105 m to infinity, the first for NaN.
 [[nodiscard]] inline int bin_of(float range_squared_m2) {
   const float bin = (0.5F / kBinRatio) * std::log(range_squared_m2 / (kFirstRange_m * kFirstRange_m));
-  return std::clamp(static_cast<int>(std::max(bin, 0.0F)), 0, kBins - 1);
+  return static_cast<int>(bin > 0.0F ? std::min(bin, static_cast<float>(kBins - 1)) : 0.0F);
 }
 
 /// Range at which bin `bin` begins.
@@ -34,7 +34,7 @@ inline constexpr float kBinRatio = 0.04F;  ///< a bin is this share of its range
 }
 
 /// A bearing without trigonometry: y / (|x| + |y|), turned into a number that rises from straight behind
-/// counterclockwise, seen from above, as the bearing does. NaN gives 0.
+/// counterclockwise, seen from above, as the bearing does. NaN gives any.
 inline constexpr int kTurnsPerQuadrant = 1024;
 [[nodiscard]] inline std::uint16_t turn_of(float x, float y) {
   const float sum = std::abs(x) + std::abs(y);

@@ -17,7 +17,8 @@ constexpr float kSlopesFrom_m = 8.0F;
 constexpr float kSlopesTo_m = 20.0F;
 constexpr std::size_t kMinSamples = 8;
 constexpr float kMinSlopeLength_m = 0.25F;
-constexpr float kRobustSigma = 1.48F;  // of a median of absolute values
+constexpr float kRounding_m2 = 1e-10F;  // variance that floats leave in a window
+constexpr float kRobustSigma = 1.48F;   // of a median of absolute values
 
 // Evidence is a log likelihood ratio: sigmas squared over two, less what on-piste snow reaches by chance; bounded, as
 // a single window may be a clod or a hole.
@@ -35,8 +36,15 @@ float log_ratio(float sigmas, float least) {
   return std::clamp(0.5F * sigmas * sigmas - 2.0F, least, kMostFor);
 }
 
-/// Reorders `values`.
+/// Of a few hundred of `values` at most, which it reorders.
 float median(std::vector<float>& values) {
+  constexpr std::size_t kEnough = 200;
+  if (const std::size_t stride = values.size() / kEnough; stride > 1) {
+    for (std::size_t i = 0; i < kEnough; ++i) {
+      values[i] = values[i * stride];
+    }
+    values.resize(kEnough);
+  }
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -75,7 +83,7 @@ void BoundaryEvidence::set_windows(const TraceWindows& windows, const LevelPoint
     const float rise = noise * h / std::sqrt(range2 + h * h);
     const float bow = curvature * windows.length_m[i] * windows.length_m[i] / 12.0F;
     const float tremble = tremble_rad * windows.range_m[i];
-    expected_m2_[i] = rise * rise + floor * floor + bow * bow + tremble * tremble;
+    expected_m2_[i] = rise * rise + floor * floor + bow * bow + tremble * tremble + kRounding_m2;
     if (windows.range_m[i] < kNear_m) {
       scratch_.push_back(windows.variance_m2[i] / expected_m2_[i]);
     }

@@ -13,17 +13,15 @@ using bearing_grid::kSectors;
 
 // A seam may also run beyond the last bin.
 constexpr std::size_t kPlaces = kBins + 1;
+// The longest jump that is made in one step, and walls so wide.
+constexpr std::size_t kPad = 32;
+constexpr float kWall = 1e30F;
 
-/// to[i] = min(from[i], from[i - step] + cost, from[i + step] + cost)
-BERM_MULTIVERSION void widen(const float* from, float* to, std::size_t step, float cost) {
-  for (std::size_t i = 0; i < step; ++i) {
-    to[i] = std::min(from[i], from[i + step] + cost);
-  }
-  for (std::size_t i = step; i + step < kPlaces; ++i) {
-    to[i] = std::min(from[i], std::min(from[i - step], from[i + step]) + cost);
-  }
-  for (std::size_t i = kPlaces - step; i < kPlaces; ++i) {
-    to[i] = std::min(from[i], from[i - step] + cost);
+/// to[i] = min(from[i], from[i - step] + price, from[i + step] + price); both have walls of kPad places at either end.
+BERM_MULTIVERSION void widen(const float* __restrict from, float* __restrict to, std::ptrdiff_t step, float price) {
+  for (std::ptrdiff_t i = 0; i < std::ptrdiff_t{kPlaces}; ++i) {
+    const float nearer = from[i - step] < from[i + step] ? from[i - step] : from[i + step];
+    to[i] = from[i] < nearer + price ? from[i] : nearer + price;
   }
 }
 
@@ -33,21 +31,22 @@ BoundarySeam::BoundarySeam(double jump_cost, int max_jump_bins)
     : jump_cost_(static_cast<float>(jump_cost)),
       max_jump_bins_(static_cast<std::size_t>(max_jump_bins)),
       costs_(std::size_t{kSectors} * kPlaces),
-      reached_(kPlaces),
-      shifted_(kPlaces),
+      reached_(kPlaces + 2 * kPad, kWall),
+      spare_(kPlaces + 2 * kPad, kWall),
       bound_(kSectors) {}
 
 /// Turns costs of seams that end in a bin into those of reaching a bin from any: jumps of 1, 2, 4 and so on bins make
 /// up all of them, and those beyond the longest that is charged cost no more than it.
 void BoundarySeam::reach() {
-  const float any =
-      *std::min_element(reached_.begin(), reached_.end()) + static_cast<float>(max_jump_bins_) * jump_cost_;
-  for (std::size_t step = 1; step <= max_jump_bins_ && 2 * step <= kPlaces; step *= 2) {
-    widen(reached_.data(), shifted_.data(), step, static_cast<float>(step) * jump_cost_);
-    reached_.swap(shifted_);
+  const float* costs = reached_.data() + kPad;
+  const float any = *std::min_element(costs, costs + kPlaces) + static_cast<float>(max_jump_bins_) * jump_cost_;
+  for (std::size_t step = 1; step <= std::min(max_jump_bins_, kPad); step *= 2) {
+    widen(reached_.data() + kPad, spare_.data() + kPad, static_cast<std::ptrdiff_t>(step),
+          static_cast<float>(step) * jump_cost_);
+    reached_.swap(spare_);
   }
-  for (float& cost : reached_) {
-    cost = std::min(cost, any);
+  for (std::size_t i = kPad; i < kPad + kPlaces; ++i) {
+    reached_[i] = std::min(reached_[i], any);
   }
 }
 
@@ -72,18 +71,20 @@ std::span<const int> BoundarySeam::find(std::span<const float> cells, const bear
   if (arc.count == 0) {
     return bound_;
   }
-  std::fill(reached_.begin(), reached_.end(), 0.0F);
+  float* reached = reached_.data() + kPad;
+  std::fill_n(reached, kPlaces, 0.0F);
   for (int i = 0; i < arc.count; ++i) {
     float* costs = costs_.data() + static_cast<std::size_t>(i) * kPlaces;
     const float* evidence = cells.data() + arc.sector(i) * kBins;
     float before = 0.0F;
     for (std::size_t bin = 0; bin < kBins; ++bin) {
-      costs[bin] = reached_[bin] + before;
+      costs[bin] = reached[bin] + before;
       before += evidence[bin];
     }
-    costs[kBins] = reached_[kBins] + before;
-    std::copy(costs, costs + kPlaces, reached_.begin());
+    costs[kBins] = reached[kBins] + before;
+    std::copy(costs, costs + kPlaces, reached);
     reach();
+    reached = reached_.data() + kPad;
   }
   const auto last = static_cast<std::size_t>(arc.count - 1);
   const float* costs = costs_.data() + last * kPlaces;

@@ -28,7 +28,7 @@ class BoundarySeam {
   std::size_t max_jump_bins_;
   std::vector<float> costs_;    ///< of the best seam up to a sector of the arc that ends in a bin, sector by sector
   std::vector<float> reached_;  ///< of the best seam up to the sector before, with the jump to a bin
-  std::vector<float> shifted_;
+  std::vector<float> spare_;
   std::vector<int> bound_;
 };
 

@@ -80,9 +80,7 @@ void cut_windows(const Traces& traces, double window_m, TraceWindows& windows) {
     float length = 0.0F;
     std::size_t next = first + 1;
     for (; next < size && traces.is_broken[next] == 0; ++next) {
-      const float dx = traces.x[next] - traces.x[next - 1];
-      const float dy = traces.y[next] - traces.y[next - 1];
-      length += std::sqrt(dx * dx + dy * dy);
+      length += traces.step[next];
       if (length > limit && next - first >= kMinPoints) {
         break;
       }

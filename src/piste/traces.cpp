@@ -68,6 +68,7 @@ BERM_MULTIVERSION void mark_breaks(float sensor_height_m, float max_squared_rad,
   const float* y = traces.y.data();
   const float* z = traces.z.data();
   float* range = traces.range.data();
+  float* step = traces.step.data();
   std::uint8_t* is_broken = traces.is_broken.data();
   for (std::size_t i = 0; i < size; ++i) {
     const float dz = z[i] - sensor_height_m;
@@ -78,7 +79,9 @@ BERM_MULTIVERSION void mark_breaks(float sensor_height_m, float max_squared_rad,
     const float dy = y[i] - y[i - 1];
     const float dz = z[i] - z[i - 1];
     const float dr = range[i] - range[i - 1];
-    const float step2 = dx * dx + dy * dy + dz * dz;
+    const float map2 = dx * dx + dy * dy;
+    const float step2 = map2 + dz * dz;
+    step[i] = std::sqrt(map2);
     const float squared_rad = std::max(step2 - dr * dr, 0.0F) / std::max(range[i] * range[i - 1], 0.01F);
     const float reach = 0.4F + per_height * std::sqrt(squared_rad) * range[i] * std::max(range[i], kMinReach_m);
     const bool breaks = squared_rad > max_squared_rad || step2 > reach * reach;
@@ -146,7 +149,8 @@ void TraceFinder::choose_order(const PointsView& points) {
   traces_.kind = lag_ > 1 ? TraceKind::interleaved : TraceKind::radial;
 }
 
-/// Counting sort of the ground points by `keys`; the firing order stays within a key.
+/// Counting sort of the ground points by `keys`; the firing order stays within a key. Leaves in `starts_` where each
+/// key ends.
 void TraceFinder::order_by(std::span<const std::uint32_t> keys, std::size_t key_count, std::span<const Label> labels) {
   starts_.assign(key_count + 1, 0);
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -169,7 +173,6 @@ void TraceFinder::order_radially(std::span<const Label> labels, const LevelPoint
   }
   order_by(keys_, bearing_grid::kSectors, labels);
 
-  // `order_by` leaves in starts_ where each key ends.
   std::uint32_t begin = 0;
   for (std::size_t key = 0; key + 1 < starts_.size(); ++key) {
     std::sort(traces_.index.begin() + begin, traces_.index.begin() + starts_[key],
@@ -197,11 +200,21 @@ void TraceFinder::gather(const LevelPoints& level) {
 
 void TraceFinder::find_breaks(const LevelPoints& level) {
   traces_.range.resize(traces_.index.size());
+  traces_.step.resize(traces_.index.size());
   traces_.is_broken.resize(traces_.index.size());
   const float max_squared_rad = traces_.kind == TraceKind::radial ? 4.0F : kMaxStep_rad * kMaxStep_rad;
   mark_breaks(level.sensor_height_m, max_squared_rad, traces_);
   if (!traces_.is_broken.empty()) {
     traces_.is_broken[0] = 1;
+    traces_.step[0] = 0.0F;
+  }
+  if (traces_.kind == TraceKind::firing) {
+    return;
+  }
+  for (const std::uint32_t end : starts_) {
+    if (end < traces_.is_broken.size()) {
+      traces_.is_broken[end] = 1;
+    }
   }
 }
 

@@ -30,6 +30,7 @@ struct Traces {
   std::vector<float> y;
   std::vector<float> z;
   std::vector<float> range;             ///< m, from the sensor
+  std::vector<float> step;              ///< m, on the map, from the point before; of the first: 0
   std::vector<std::uint8_t> is_broken;  ///< 1: the point does not follow on the one before
 };
 

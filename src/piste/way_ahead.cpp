@@ -63,16 +63,16 @@ std::optional<double> ObstacleAhead::find(std::span<const Label> labels, const L
   const Eigen::Vector3f t = T_base_level.translation_m().cast<float>();
   const auto half_width = static_cast<float>(0.5 * config_.machine_width_m);
   const auto clearance = static_cast<float>(config_.machine_height_m);
+  const auto farthest = static_cast<float>(config_.max_range_m);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i] != Label::obstacle) {
       continue;
     }
     const float y = r(1, 0) * level.x[i] + r(1, 1) * level.y[i] + r(1, 2) * level.z[i] + t.y();
     const float x = r(0, 0) * level.x[i] + r(0, 1) * level.y[i] + r(0, 2) * level.z[i] + t.x();
-    const auto step = static_cast<std::ptrdiff_t>(x / static_cast<float>(kStep_m));
-    if (std::abs(y) < half_width && x > 0.0F && step + 1 < std::ssize(counts_) &&
+    if (std::abs(y) < half_width && x > 0.0F && x < farthest &&
         level.z[i] - surface.height_m(level.x[i], level.y[i]) < clearance) {
-      ++counts_[static_cast<std::size_t>(step)];
+      ++counts_[static_cast<std::size_t>(x / static_cast<float>(kStep_m))];
     }
   }
   for (std::size_t step = 0; step + 1 < counts_.size(); ++step) {

@@ -14,7 +14,7 @@ struct BoundaryPisteConfig {
   double machine_width_m = 5.0;
   double machine_height_m = 4.0;
   // Windows along the traces.
-  double window_m = 0.6;
+  double window_m = 1.0;
   double range_noise_m = 0.02;
   double roughness_m = 0.002;
   double curvature = 0.005;
