@@ -1,0 +1,151 @@
+#include "berm/map/edge_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "edge_evidence.hpp"
+#include "ridge_fit.hpp"
+#include "ridge_tracer.hpp"
+
+namespace berm {
+namespace {
+
+double probability(double log_odds) {
+  return 1.0 / (1.0 + std::exp(-log_odds));
+}
+
+using Places = std::vector<Trace::Place>;
+
+/// The side of every place: what most scans saw, where a change of side has to pay for itself (Viterbi, two states).
+std::vector<EdgeSide> sides_along(const Places& places) {
+  constexpr double kChange = 4.0;  // hits that must contradict before the side changes
+  std::vector<std::array<bool, 2>> from_other(places.size());
+  std::array<double, 2> cost{};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Ridge& ridge = places[i].ridge;
+    const std::array<double, 2> against{ridge.right * kTraceStep_m, ridge.left * kTraceStep_m};
+    std::array<double, 2> next{};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double stay = cost[side];
+      const double change = cost[1 - side] + kChange;
+      from_other[i][side] = change < stay;
+      next[side] = std::min(stay, change) + against[side];
+    }
+    cost = next;
+  }
+  std::vector<EdgeSide> sides(places.size());
+  std::size_t side = cost[1] < cost[0] ? 1 : 0;
+  for (std::size_t i = places.size(); i-- > 0;) {
+    sides[i] = side == 0 ? EdgeSide::left : EdgeSide::right;
+    side = from_other[i][side] ? 1 - side : side;
+  }
+  return sides;
+}
+
+double horizontal_m(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return (a - b).head<2>().norm();
+}
+
+EdgeLine::Vertex vertex_at(const Trace::Place& place, const EdgeOdds& odds) {
+  return {place.ridge.position_m, probability(ridge_log_odds(place.ridge, odds))};
+}
+
+/// Vertices at equal distances of about `spacing_m`, the first and last place among them.
+std::vector<EdgeLine::Vertex> resample(std::span<const Trace::Place> places, const EdgeOdds& odds, double spacing_m) {
+  std::vector<double> at_m(places.size(), 0.0);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    at_m[i] = at_m[i - 1] + horizontal_m(places[i].ridge.position_m, places[i - 1].ridge.position_m);
+  }
+  const auto stretches = static_cast<std::size_t>(std::max(1.0, std::round(at_m.back() / spacing_m)));
+  std::vector<EdgeLine::Vertex> vertices;
+  std::size_t i = 1;
+  for (std::size_t k = 0; k <= stretches; ++k) {
+    const double target_m = at_m.back() * static_cast<double>(k) / static_cast<double>(stretches);
+    while (i + 1 < places.size() && at_m[i] < target_m) {
+      ++i;
+    }
+    const EdgeLine::Vertex from = vertex_at(places[i - 1], odds);
+    const EdgeLine::Vertex to = vertex_at(places[i], odds);
+    const double share = std::clamp((target_m - at_m[i - 1]) / (at_m[i] - at_m[i - 1]), 0.0, 1.0);
+    double confidence = from.confidence + share * (to.confidence - from.confidence);
+    if (places[i].after_gap && share > 0.0 && share < 1.0) {
+      confidence = 0.5;
+    }
+    vertices.push_back({from.position_m + share * (to.position_m - from.position_m), confidence});
+  }
+  return vertices;
+}
+
+/// Whether plain road lies to the left of the line, seen along it.
+bool road_on_left(const EdgeMap& map, std::span<const Trace::Place> places) {
+  constexpr double kOffsets_m[] = {0.8, 1.2, 1.6, 2.0};
+  double balance = 0.0;
+  for (const Trace::Place& place : places) {
+    const Eigen::Vector3d aside(-place.ridge.direction.y(), place.ridge.direction.x(), 0.0);
+    for (const double offset_m : kOffsets_m) {
+      for (const double sign : {-1.0, 1.0}) {
+        const auto key = voxel_key(place.ridge.position_m + sign * offset_m * aside, map.config().voxel_m);
+        for (const int up : {-1, 0, 1}) {
+          balance += key && map.at({key->x, key->y, key->z + up}).miss != 0 ? sign : 0.0;
+        }
+      }
+    }
+  }
+  return balance > 0.0;
+}
+
+double mean_confidence(const EdgeLine& line) {
+  double sum = 0.0;
+  for (const EdgeLine::Vertex& vertex : line.vertices) {
+    sum += vertex.confidence;
+  }
+  return sum / static_cast<double>(line.vertices.size());
+}
+
+double length_m(std::span<const Trace::Place> places) {
+  double sum_m = 0.0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    sum_m += horizontal_m(places[i].ridge.position_m, places[i - 1].ridge.position_m);
+  }
+  return sum_m;
+}
+
+}  // namespace
+
+std::vector<EdgeLine> extract_lines(const EdgeMap& map, const EdgeLinesConfig& config) {
+  config.check();
+  const EdgeEvidence evidence(map);
+  const EdgeOdds odds = edge_odds(map.config());
+  std::vector<EdgeLine> lines;
+  for (Trace& trace : RidgeTracer(map, evidence, config.max_gap_m).trace_all()) {
+    if (trace.closed) {
+      trace.places.push_back(trace.places.front());
+    }
+    const std::vector<EdgeSide> sides = sides_along(trace.places);
+    for (std::size_t first = 0; first < sides.size();) {
+      std::size_t end = first;
+      while (end < sides.size() && sides[end] == sides[first]) {
+        ++end;
+      }
+      // Where the side changes, both parts have the place.
+      const std::span<const Trace::Place> part(trace.places.data() + first, std::min(end + 1, sides.size()) - first);
+      const EdgeSide side = sides[first];
+      first = end;
+      if (part.size() < 2 || length_m(part) < config.min_length_m) {
+        continue;
+      }
+      EdgeLine line{side, resample(part, odds, config.spacing_m)};
+      if (mean_confidence(line) < config.min_confidence) {
+        continue;
+      }
+      if (road_on_left(map, part) == (side == EdgeSide::left)) {
+        std::reverse(line.vertices.begin(), line.vertices.end());
+      }
+      lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
+}  // namespace berm
