@@ -71,6 +71,7 @@ struct Arc {
   int count = 0;
 
   [[nodiscard]] std::size_t sector(int i) const { return static_cast<std::size_t>((first + i) % kSectors); }
+  [[nodiscard]] bool holds(int sector) const { return (sector - first + kSectors) % kSectors < count; }
 };
 
 /// The sectors without the widest gap of unseen ones; `seen` has a 1 for every sector that is. A full turn begins and

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -27,6 +29,11 @@ constexpr float kFirstSurface_m = 14.0F;  // the surface is fitted to this befor
 constexpr int kEdgeBins = 4;              // the sign of a boundary lies within this many bins beyond it
 constexpr float kSure = 12.0F;            // evidence that leaves no doubt
 
+/// The levelled frame as the mount has it: base_link, moved to below the sensor.
+Pose below(const Pose& T_base_sensor) {
+  return {T_base_sensor.rotation(), {0.0, 0.0, T_base_sensor.translation_m().z()}};
+}
+
 std::size_t wrap(int sector) {
   return static_cast<std::size_t>((sector % kSectors + kSectors) % kSectors);
 }
@@ -43,6 +50,7 @@ struct BoundaryPiste::State {
   void find_boundary(const PisteInput& input);
   void relabel(std::span<const Label> input);
   void trace_boundary(const Pose& T_base_level);
+  [[nodiscard]] int find_way(const Pose& T_base_level) const;
   void add_vertex(int sector, const Pose& T_base_level, std::vector<BoundaryPoint>& side) const;
   [[nodiscard]] double piste_ends_ahead_m(const Pose& T_base_level) const;
 
@@ -71,7 +79,7 @@ BoundaryPiste::~BoundaryPiste() = default;
 
 PisteResult BoundaryPiste::process(const PisteInput& input) {
   State& state = *state_;
-  const Pose T_level_sensor = input.surface != nullptr ? input.surface->T_level_sensor() : input.T_base_sensor;
+  const Pose T_level_sensor = input.surface != nullptr ? input.surface->T_level_sensor() : below(input.T_base_sensor);
   const Pose T_base_level = input.T_base_sensor * T_level_sensor.inverse();
   state.level.fill(input.points, T_level_sensor);
   state.find_boundary(input);
@@ -115,28 +123,51 @@ void BoundaryPiste::State::relabel(std::span<const Label> input) {
   }
 }
 
-/// The piste leaves the view where its boundary is farthest: what lies to the left of that is the left side.
+/// What lies within a quarter turn to the left of where the piste leaves the view is the left side.
 void BoundaryPiste::State::trace_boundary(const Pose& T_base_level) {
   left.clear();
   right.clear();
+  if (evidence.arc().count == 0) {
+    return;
+  }
+  const int way = find_way(T_base_level);
+  for (int aside = kSectors / 4; aside > 0; --aside) {
+    add_vertex(way - aside, T_base_level, right);
+    add_vertex(way + aside, T_base_level, left);
+  }
+}
+
+/// The sector in which the piste leaves the view: where its boundary is far away, and not far from straight ahead. A
+/// side that shows no boundary is open as well, and so is the way back.
+int BoundaryPiste::State::find_way(const Pose& T_base_level) const {
+  constexpr float kBinsPerSector = 1.0F;  // a straight boundary comes nearer by as much 45 degrees from ahead
+  constexpr float kTurn_rad = 2.0F * std::numbers::pi_v<float>;
   const bearing_grid::Arc& arc = evidence.arc();
-  int farthest = arc.first;
+  const Eigen::Matrix3d R_base_level = T_base_level.rotation().toRotationMatrix();
+  auto ahead_rad = static_cast<float>(std::atan2(R_base_level(0, 1), R_base_level(0, 0)));
+  if (!arc.holds(sectors.of(std::cos(ahead_rad), std::sin(ahead_rad)))) {  // a sensor that looks elsewhere
+    ahead_rad = bearing_grid::bearing_of(static_cast<int>(arc.sector(arc.count / 2)));
+  }
+  int way = arc.first;
+  float best = -std::numeric_limits<float>::infinity();
   for (int i = 0; i < arc.count; ++i) {
-    if (bound[wrap(arc.first + i)] > bound[wrap(farthest)]) {
-      farthest = arc.first + i;
+    const auto sector = static_cast<int>(arc.sector(i));
+    const float aside_rad = std::abs(std::remainder(bearing_grid::bearing_of(sector) - ahead_rad, kTurn_rad));
+    const float score = static_cast<float>(bound[wrap(sector)]) - kBinsPerSector * aside_rad * kSectors / kTurn_rad;
+    if (score > best) {
+      best = score;
+      way = sector;
     }
   }
-  for (int sector = arc.first; sector < farthest; ++sector) {
-    add_vertex(sector, T_base_level, right);
-  }
-  for (int sector = arc.first + arc.count - 1; sector > farthest; --sector) {
-    add_vertex(sector, T_base_level, left);
-  }
+  return way;
 }
 
 /// Only where something marks the boundary: elsewhere the seam spans a gap, or the end of what is seen.
 void BoundaryPiste::State::add_vertex(int sector, const Pose& T_base_level, std::vector<BoundaryPoint>& side) const {
   const std::size_t place = wrap(sector);
+  if (!evidence.arc().holds(static_cast<int>(place))) {
+    return;
+  }
   const int bin = bound[place];
   float sign = 0.0F;
   for (int i = bin; i < std::min(bin + kEdgeBins, kBins); ++i) {

@@ -40,10 +40,12 @@ BoundarySeam::BoundarySeam(double jump_cost, int max_jump_bins)
 void BoundarySeam::reach() {
   const float* costs = reached_.data() + kPad;
   const float any = *std::min_element(costs, costs + kPlaces) + static_cast<float>(max_jump_bins_) * jump_cost_;
-  for (std::size_t step = 1; step <= std::min(max_jump_bins_, kPad); step *= 2) {
+  for (std::size_t covered = 0; covered < std::min(max_jump_bins_, kPlaces - 1);) {
+    const std::size_t step = std::min(covered + 1, kPad);
     widen(reached_.data() + kPad, spare_.data() + kPad, static_cast<std::ptrdiff_t>(step),
           static_cast<float>(step) * jump_cost_);
     reached_.swap(spare_);
+    covered += step;
   }
   for (std::size_t i = kPad; i < kPad + kPlaces; ++i) {
     reached_[i] = std::min(reached_[i], any);
