@@ -11,6 +11,7 @@ set(BERM_PACKAGE_OF_CLI11::CLI11 CLI11)
 set(BERM_PACKAGE_OF_PNG::PNG PNG)
 set(BERM_PACKAGE_OF_embree embree)
 set(BERM_PACKAGE_OF_GDAL::GDAL GDAL)
+set(BERM_PACKAGE_OF_GeographicLib::GeographicLib GeographicLib)
 set(BERM_PACKAGE_OF_fmt::fmt fmt)
 set(BERM_PACKAGE_OF_fmt::fmt-header-only fmt)
 set(BERM_PACKAGE_OF_lzf::lzf lzf)
@@ -54,7 +55,8 @@ install(EXPORT berm_berm FILE berm-berm.cmake NAMESPACE berm:: DESTINATION ${BER
 configure_package_config_file(cmake/bermConfig.cmake.in bermConfig.cmake INSTALL_DESTINATION ${BERM_CMAKE_DIR}
   PATH_VARS CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(bermConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/bermConfig.cmake ${PROJECT_BINARY_DIR}/bermConfigVersion.cmake cmake/Findlzf.cmake
+install(FILES ${PROJECT_BINARY_DIR}/bermConfig.cmake ${PROJECT_BINARY_DIR}/bermConfigVersion.cmake cmake/FindGeographicLib.cmake
+  cmake/Findlzf.cmake
   DESTINATION ${BERM_CMAKE_DIR})
 install(DIRECTORY include/berm DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 foreach(kind machines sensors scenarios)

@@ -34,6 +34,18 @@ if ! find_tool apt-get >/dev/null; then
     "CMake: ${packages[*]}"
 fi
 
+# Ubuntu 22.04 has the package under its older name.
+geographiclib_package() {
+  local id="" version=""
+  # shellcheck source=/dev/null
+  . /etc/os-release
+  id="${ID:-}" version="${VERSION_ID:-}"
+  case "$id-$version" in
+    ubuntu-22.04) echo libgeographic-dev ;;
+    *) echo libgeographiclib-dev ;;
+  esac
+}
+
 # The newest release of clang up to 16 that this distribution packages.
 clang_version() {
   local id="" version=""
@@ -46,6 +58,7 @@ clang_version() {
   esac
 }
 
+packages+=("$(geographiclib_package)")
 if $dev; then
   clang="$(clang_version)"
   packages+=("${dev_packages[@]}" "clang-$clang" "clang-format-$clang" "clang-tidy-$clang" "libclang-rt-$clang-dev")

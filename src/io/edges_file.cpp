@@ -8,6 +8,7 @@
 #include "berm/core/error.hpp"
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/trajectory_file.hpp"
+#include "csv_columns.hpp"
 #include "line_reader.hpp"
 #include "text_numbers.hpp"
 
@@ -16,14 +17,6 @@ namespace {
 
 constexpr std::string_view kHeader = "side,x,y,z";
 constexpr int kDecimals = 3;
-
-/// Takes what stands before the next comma, without the blanks around it.
-std::string_view take_column(std::string_view& line) {
-  const std::size_t comma = line.find(',');
-  std::string_view column = line.substr(0, comma);
-  line = comma == std::string_view::npos ? std::string_view() : line.substr(comma + 1);
-  return take_word(column);
-}
 
 class EdgesReader {
  public:

@@ -1,0 +1,12 @@
+# Debian keeps the CMake file of GeographicLib where CMake does not look, and releases name the library differently.
+# Defines GeographicLib::GeographicLib.
+find_path(GeographicLib_INCLUDE_DIR GeographicLib/LocalCartesian.hpp)
+find_library(GeographicLib_LIBRARY NAMES GeographicLib Geographic)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(GeographicLib REQUIRED_VARS GeographicLib_LIBRARY GeographicLib_INCLUDE_DIR)
+if(GeographicLib_FOUND AND NOT TARGET GeographicLib::GeographicLib)
+  add_library(GeographicLib::GeographicLib UNKNOWN IMPORTED)
+  set_target_properties(GeographicLib::GeographicLib PROPERTIES IMPORTED_LOCATION "${GeographicLib_LIBRARY}"
+                        INTERFACE_INCLUDE_DIRECTORIES "${GeographicLib_INCLUDE_DIR}")
+endif()
+mark_as_advanced(GeographicLib_INCLUDE_DIR GeographicLib_LIBRARY)
