@@ -208,6 +208,17 @@ TEST(BoundaryEvidence, SpeaksForObstaclesWhereTheyStand) {
   }
 }
 
+TEST(BoundaryEvidence, LooksAtNothingThatIsSwitchedOff) {
+  TraceWindows windows = field([](double x, double y) { return std::hypot(x, y) < 9.0 ? 0.0 : 3.0 * std::sin(x); });
+  std::fill(windows.variance_m2.begin(), windows.variance_m2.end(), 1.0F);
+  Weighed weighed(only(nullptr));
+  weighed.add_point(15.0, 0.1, Label::obstacle);
+  weighed.weigh(windows);
+  const auto [for_it, against_it] = weighed.shares(2.0F, 100.0F);
+  EXPECT_EQ(for_it, 0.0);
+  EXPECT_EQ(against_it, 0.0);
+}
+
 TEST(BoundaryEvidence, NeedsMoreThanOneObstaclePointToBeSure) {
   Weighed one({});
   one.add_point(15.0, 0.01, Label::obstacle);

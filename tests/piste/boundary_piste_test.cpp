@@ -263,14 +263,22 @@ TEST(BoundaryPiste, DoesNotCareHowTheSensorHangs) {
   }
 }
 
-/// The origin of base_link lies on the ground under the machine, not under the sensor.
-TEST(BoundaryPiste, DoesNotCareWhereTheSensorHangs) {
-  const Pose mount = Pose::from_yaw_pitch_roll(0.0, 11.0 * kRadPerDeg, 0.0, {3.0, -1.0, 2.3});
-  const PisteScan scan = test::look_at({}, test::mid70_beams(), mount);
+/// The origin of base_link may lie elsewhere than below the sensor.
+TEST(BoundaryPiste, MovesItsBoundaryWithTheSensor) {
+  const PisteScan scan = rosette_scan({});
   const Kept result = process(scan);
-  EXPECT_LT(offset(result.left, 8.0).absolute_m, 0.8);
-  EXPECT_LT(offset(result.right, -8.0).absolute_m, 0.8);
-  EXPECT_GT(accuracy(scan, result), 0.97);
+  PisteScan moved = scan;
+  moved.T_base_sensor = Pose(Eigen::Quaterniond::Identity(), {20.0, -10.0, 0.0}) * scan.T_base_sensor;
+  Kept other = process(moved);
+  EXPECT_TRUE(other.labels == result.labels);
+  for (auto* side : {&other.left, &other.right}) {
+    for (BoundaryPoint& point : *side) {
+      point.x_m -= 20.0F;
+      point.y_m += 10.0F;
+    }
+  }
+  expect_close(other.left, result.left, 1e-3);
+  expect_close(other.right, result.right, 1e-3);
 }
 
 /// The level frame of the ground stage may be tilted and turned against base_link.

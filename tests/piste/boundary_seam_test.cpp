@@ -206,6 +206,12 @@ TEST(BoundarySeam, DoesNotJumpForNothing) {
   }
 }
 
+TEST(BoundarySeam, DoesNotJumpForNothingEvenWhereJumpsAreFree) {
+  BoundarySeam seam(0.0, 25);
+  const std::span<const int> bound = seam.find(std::vector<float>(kCells, 0.0F), {0, kSectors});
+  EXPECT_EQ(std::count(bound.begin(), bound.end(), bound[0]), kSectors);
+}
+
 TEST(BoundarySeam, LooksAtEverySectorAloneWhereJumpsAreFree) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<float> cells = *any_cells();

@@ -138,6 +138,27 @@ TEST(PisteSurface, GivesLessWeightToWhatTheLastOneMissed) {
   EXPECT_LT(worst(surface), 0.5F * first);
 }
 
+TEST(PisteSurface, GivesLessWeightToSlopesThatTheLastOneMissed) {
+  TraceWindows windows = test::scattered_windows(600, 3.0, 40.0, kHalfAngle_rad, [](double, double) { return 0.0; });
+  for (std::size_t i = 0; i < windows.size(); i += 5) {
+    windows.slope[i] += windows.along_x[i] > 0.0F ? 0.8F : -0.8F;
+  }
+  const std::vector<std::uint8_t> all(windows.size(), 1);
+  const PisteSurface::Noise noise{.height_m = 1e3, .slope = 0.06};  // heights say nothing
+  const auto slope_of = [](const PisteSurface& surface) {
+    return surface.value(PisteSurface::slope_terms(15.0, 0.0, 1.0, 0.0));
+  };
+  PisteSurface surface;
+  surface.fit(windows, all, {}, {}, noise);
+  const double first = slope_of(surface);
+  EXPECT_GT(first, 0.1);
+  std::vector<float> height(windows.size());
+  std::vector<float> slope(windows.size());
+  surface.compare(windows, height, slope);
+  surface.fit(windows, all, height, slope, noise);
+  EXPECT_LT(slope_of(surface), 0.5 * first);
+}
+
 /// What one observation weighs, from what it does to the variance of the very combination that it observes:
 /// 1/after = 1/before + weight.
 double weight_of(const TraceWindows& windows, std::size_t i, const PisteSurface::Noise& noise, const Terms& terms) {

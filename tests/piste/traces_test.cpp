@@ -292,6 +292,17 @@ TEST(Traces, BreakWhereTheRangeJumps) {
   }
 }
 
+/// The next beam passes just above a crest and meets the ground far behind it.
+TEST(Traces, BreakBehindACrest) {
+  Traced scan;
+  for (int i = 0; i < 200; ++i) {
+    scan.add((i < 100 ? 1.0 : 2.0) * 15.0 * direction(0.1 * i, -9.0));
+  }
+  const Traces& traces = scan.find();
+  EXPECT_EQ(count_broken(traces), 2U);
+  EXPECT_EQ(traces.is_broken[100], 1);
+}
+
 TEST(Traces, BreakWhereBeamsAreNoNeighbours) {
   Traced close = row_of_beams([](int) { return 15.0; }, 0.5);
   EXPECT_EQ(count_broken(close.find()), 1U);
