@@ -95,18 +95,14 @@ bool road_on_left(const EdgeMap& map, std::span<const Trace::Place> places) {
   return balance > 0.0;
 }
 
-double mean_confidence(const EdgeLine& line) {
-  double sum = 0.0;
-  for (const EdgeLine::Vertex& vertex : line.vertices) {
-    sum += vertex.confidence;
-  }
-  return sum / static_cast<double>(line.vertices.size());
-}
-
-double length_m(std::span<const Trace::Place> places) {
+/// Length of a line, where 1 m counts as much as its confidence is above chance, in shares of the most there is.
+double sure_length_m(const EdgeLine& line, double max_probability) {
   double sum_m = 0.0;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    sum_m += horizontal_m(places[i].ridge.position_m, places[i - 1].ridge.position_m);
+  for (std::size_t i = 1; i < line.vertices.size(); ++i) {
+    const EdgeLine::Vertex& from = line.vertices[i - 1];
+    const EdgeLine::Vertex& to = line.vertices[i];
+    const double above_chance = 0.5 * (from.confidence + to.confidence) - 0.5;
+    sum_m += horizontal_m(from.position_m, to.position_m) * above_chance / (max_probability - 0.5);
   }
   return sum_m;
 }
@@ -132,11 +128,11 @@ std::vector<EdgeLine> extract_lines(const EdgeMap& map, const EdgeLinesConfig& c
       const std::span<const Trace::Place> part(trace.places.data() + first, std::min(end + 1, sides.size()) - first);
       const EdgeSide side = sides[first];
       first = end;
-      if (part.size() < 2 || length_m(part) < config.min_length_m) {
+      if (part.size() < 2) {
         continue;
       }
       EdgeLine line{side, resample(part, odds, config.spacing_m)};
-      if (mean_confidence(line) < config.min_confidence) {
+      if (sure_length_m(line, map.config().max_probability) < config.min_length_m) {
         continue;
       }
       if (road_on_left(map, part) == (side == EdgeSide::left)) {

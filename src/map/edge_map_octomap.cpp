@@ -145,7 +145,9 @@ std::string EdgeMap::to_octomap() const {
     node->setLogOdds(static_cast<float>(log_odds(voxel)));
     node->setColor(voxel.left, voxel.right, voxel.miss);
   });
-  tree.updateInnerOccupancy();
+  if (!empty()) {  // OctoMap would follow the root that an empty tree does not have
+    tree.updateInnerOccupancy();
+  }
   std::ostringstream out;
   out << write_octomap_header({origin, world_, tree.size(), config_.voxel_m});
   tree.writeData(out);

@@ -12,7 +12,7 @@ namespace berm {
 namespace {
 
 /// Samples so far along the edge have a say; a parabola of this length follows bends of 5 m radius.
-constexpr double kReach_m = 1.5;
+constexpr double kReach_m = 2.0;
 /// Without a sample this near along the edge, it was not seen here.
 constexpr double kBeside_m = 0.4;
 /// Half the width of the band: what lies farther to the side is another thing. Four times the scatter of good edges.
@@ -88,6 +88,7 @@ std::optional<Ridge> fit_ridge(const EdgeEvidence& evidence, std::span<const std
     Eigen::Vector3d right(0.0, 0.0, kBendPrior * 0.5 * guess.bend_per_m);
     Heights heights;
     fitted.left = fitted.right = fitted.here = 0.0;
+    fitted.ahead_m = -kReach_m;
     evidence.around(guess.position_m, kReach_m + kHalfWidth_m, [&](std::size_t i) {
       const EdgeSample& sample = evidence.samples()[i];
       const Local at = local(guess, sample.position_m);
@@ -105,6 +106,7 @@ std::optional<Ridge> fit_ridge(const EdgeEvidence& evidence, std::span<const std
       if (last && inside > 0.0) {
         fitted.left += near * sample.left;
         fitted.right += near * sample.right;
+        fitted.ahead_m = std::max(fitted.ahead_m, at.along_m);
         fitted.here += std::abs(at.along_m) <= kBeside_m ? sample.hits() : 0.0;
       }
     });
@@ -126,7 +128,7 @@ std::optional<Ridge> fit_ridge(const EdgeEvidence& evidence, std::span<const std
 }
 
 double seen_through(const EdgeMap& map, const Ridge& ridge) {
-  constexpr double kAlong_m[] = {-0.3, 0.0, 0.3};
+  constexpr double kAlong_m[] = {-0.6, -0.3, 0.0, 0.3, 0.6};
   // Beyond the scatter of toes, and not beyond a low berm.
   constexpr double kAside_m[] = {0.4, 0.6};
   const Eigen::Vector3d along(ridge.direction.x(), ridge.direction.y(), 0.0);

@@ -17,6 +17,7 @@ struct Ridge {
   double bend_per_m = 0.0;    ///< curvature, positive to the left
   double left = 0.0;          ///< hits per metre of edge, near this place
   double right = 0.0;
+  double ahead_m = 0.0;  ///< to the farthest sample in this direction along the edge; negative: all lie behind
   double here = 0.0;     ///< hits right beside this place
   double through = 0.0;  ///< see `seen_through`
 

@@ -9,6 +9,8 @@ namespace {
 
 /// Evidence of this much edge is weighed together: single voxels of noisy edges are hit once or never.
 constexpr double kStretch_m = 0.5;
+/// Once begun, an edge goes on where less was seen: this share of the log-odds that a new one takes.
+constexpr double kGoOn = 0.3;
 /// Samples this near to an edge that was traced are its scatter.
 constexpr double kClaim_m = 0.8;
 /// An edge that comes back to itself after fewer steps has only turned.
@@ -61,7 +63,7 @@ std::vector<Trace> RidgeTracer::trace_all() {
     for (int round = 0; round < 3; ++round) {
       start = fit_ridge(evidence_, taken_, start).value_or(start);
     }
-    if (!is_edge(start)) {
+    if (!is_edge(start, odds_.edge)) {
       continue;
     }
     traces.push_back(trace(start));
@@ -116,6 +118,10 @@ RidgeTracer::End RidgeTracer::walk(const Ridge& start, std::int32_t step_sign, s
     places.push_back(next);
     head = next.ridge;
   }
+  // The last fits stood on samples behind them alone: the edge ends where these do.
+  while (!places.empty() && places.back().ridge.ahead_m < -0.5 * kTraceStep_m) {
+    places.pop_back();
+  }
   return End::faded;
 }
 
@@ -130,7 +136,7 @@ bool RidgeTracer::find_next(const Ridge& head, Trace::Place& next) const {
     auto fit = fit_ridge(evidence_, taken_, guess);
     const double room_m = kMaxShift_m + kShiftPerMetre * (ahead_m - kTraceStep_m);
     if (fit && aside_m(guess, fit->position_m) <= room_m &&
-        fit->direction.dot(guess.direction) >= std::cos(kMaxTurn_rad) && is_edge(*fit)) {
+        fit->direction.dot(guess.direction) >= std::cos(kMaxTurn_rad) && is_edge(*fit, kGoOn * odds_.edge)) {
       next = {*fit, gap};
       return true;
     }
@@ -138,13 +144,13 @@ bool RidgeTracer::find_next(const Ridge& head, Trace::Place& next) const {
   return false;
 }
 
-bool RidgeTracer::is_edge(Ridge& ridge) const {
+bool RidgeTracer::is_edge(Ridge& ridge, double least_log_odds) const {
   ridge.through = 0.0;
-  if (ridge.here <= 0.0 || ridge_log_odds(ridge, odds_) < odds_.edge) {
+  if (ridge.here <= 0.0 || ridge_log_odds(ridge, odds_) < least_log_odds) {
     return false;
   }
   ridge.through = seen_through(map_, ridge);
-  return ridge_log_odds(ridge, odds_) >= odds_.edge;
+  return ridge_log_odds(ridge, odds_) >= least_log_odds;
 }
 
 void RidgeTracer::visit(const Ridge& ridge, std::int32_t step) {

@@ -37,7 +37,7 @@ class RidgeTracer {
   End walk(const Ridge& start, std::int32_t step_sign, std::vector<Trace::Place>& places);
   [[nodiscard]] bool find_next(const Ridge& head, Trace::Place& next) const;
   /// Whether what was seen at a place is enough for an edge; completes what is known of it.
-  [[nodiscard]] bool is_edge(Ridge& ridge) const;
+  [[nodiscard]] bool is_edge(Ridge& ridge, double least_log_odds) const;
   void visit(const Ridge& ridge, std::int32_t step);
   [[nodiscard]] bool was_here(const Ridge& ridge, std::int32_t step) const;
   void claim(const Trace& trace);

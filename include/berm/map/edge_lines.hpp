@@ -11,17 +11,15 @@ namespace berm {
 /// Settings of turning voxels into lines.
 struct EdgeLinesConfig {
   double spacing_m = 0.5;
-  double max_gap_m = 3.0;
+  double max_gap_m = 5.0;
   double min_length_m = 3.0;
-  double min_confidence = 0.8;
 
   static void fields(auto&& field) {
     field("spacing_m", &EdgeLinesConfig::spacing_m, Range{0.05, 10.0}, "between vertices");
     field("max_gap_m", &EdgeLinesConfig::max_gap_m, Range{0.1, 50.0},
           "a line is carried across unseen stretches up to this");
-    field("min_length_m", &EdgeLinesConfig::min_length_m, Range{0.0, 1000.0}, "shorter lines are left out");
-    field("min_confidence", &EdgeLinesConfig::min_confidence, Range{0.0, 1.0},
-          "lines of which less is sure on average are left out");
+    field("min_length_m", &EdgeLinesConfig::min_length_m, Range{0.0, 1000.0},
+          "shorter lines are left out; what is half sure counts half");
   }
   void check() const { check_fields(*this, "lines"); }
 };
