@@ -1,22 +1,18 @@
 #include "berm/io/edges_file.hpp"
 
-#include <cmath>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "berm/core/error.hpp"
 #include "berm/io/atomic_file.hpp"
-#include "berm/io/trajectory_file.hpp"
-#include "csv_columns.hpp"
+#include "edge_row.hpp"
 #include "line_reader.hpp"
-#include "text_numbers.hpp"
 
 namespace berm {
 namespace {
 
 constexpr std::string_view kHeader = "side,x,y,z";
-constexpr int kDecimals = 3;
 
 class EdgesReader {
  public:
@@ -29,7 +25,7 @@ class EdgesReader {
       if (line.empty()) {
         end_polyline();
       } else if (!started) {
-        check_header(line);
+        check_edge_header(lines_, line, kHeader);
         started = true;
       } else {
         take_vertex(line);
@@ -43,31 +39,10 @@ class EdgesReader {
   }
 
  private:
-  void check_header(std::string_view line) const {
-    std::string_view rest = line;
-    if (take_word(rest) != kHeader || !take_word(rest).empty()) {
-      throw lines_.error("expected the header " + std::string(kHeader) + ", found " + quoted(line));
-    }
-  }
-
   void take_vertex(std::string_view line) {
     std::string_view rest = line;
-    const std::string_view side = take_column(rest);
-    if (side != "left" && side != "right") {
-      throw lines_.error("expected left or right in column 1, found " + quoted(side) + "; a line holds " +
-                         std::string(kHeader));
-    }
-    Eigen::Vector3d vertex_m;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      const bool last = rest.find(',') == std::string_view::npos;
-      const std::string_view column = take_column(rest);
-      const std::optional<double> value = parse_number(column);
-      if (last != (i == 2) || !value || std::abs(*value) > kMaxCoordinate_m) {
-        throw lines_.error("expected three coordinates in metres after the side, found " + quoted(line));
-      }
-      vertex_m[i] = *value;
-    }
-    const bool left = side == "left";
+    const bool left = take_side(lines_, rest, 1, kHeader) == EdgeSide::left;
+    const Eigen::Vector3d vertex_m = take_position_m(lines_, line, rest, true);
     if (open_ && edges_.back().left != left) {
       end_polyline();
     }
@@ -115,10 +90,7 @@ void write_edges(const std::filesystem::path& path, std::span<const Edge> edges)
     first = false;
     for (const Eigen::Vector3d& vertex_m : edge.vertices_m) {
       line = edge.left ? "left" : "right";
-      for (const double value : {vertex_m.x(), vertex_m.y(), vertex_m.z()}) {
-        line += ',';
-        append_fixed(line, value, kDecimals);
-      }
+      append_position(line, vertex_m);
       file.write(line + "\n");
     }
   }

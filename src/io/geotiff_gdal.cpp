@@ -1,11 +1,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 
-#include <cpl_error.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -13,6 +11,7 @@
 #include "berm/core/error.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "geotiff.hpp"
+#include "quiet_gdal.hpp"
 #include "raster_check.hpp"
 #include "to_float.hpp"
 
@@ -23,27 +22,6 @@ struct CloseDataset {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
-/// Keeps what GDAL has to say from stderr while it lives.
-class QuietGdal {
- public:
-  QuietGdal() {
-    // Drivers register with the process, once.
-    static std::once_flag registered;
-    std::call_once(registered, [] { GDALAllRegister(); });
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    CPLErrorReset();
-  }
-  ~QuietGdal() { CPLPopErrorHandler(); }
-  QuietGdal(const QuietGdal&) = delete;
-  QuietGdal& operator=(const QuietGdal&) = delete;
-
-  /// The last complaint on one line.
-  [[nodiscard]] static std::string complaint() {
-    const std::string text = CPLGetLastErrorMsg();
-    return text.empty() ? "GDAL does not say why" : text;
-  }
-};
 
 class GeotiffReader {
  public:

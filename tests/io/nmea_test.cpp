@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -176,6 +177,67 @@ TEST(Nmea, AttitudeThatIsTooOldIsNone) {
   const PoseLog log = parse(text);
   EXPECT_EQ(log.trajectory.size(), 2U);
   EXPECT_EQ(log.counts.no_attitude, 2U);
+}
+
+/// The sentences that an INS at the antenna would have written.
+std::string logged(const Trajectory& truth, const LocalFrame& frame, const GnssMountConfig& mount) {
+  const auto angle = [](double value_deg, int digits) {
+    const double magnitude_deg = std::abs(value_deg);
+    const double whole_deg = std::floor(magnitude_deg);
+    char text[32];
+    std::snprintf(text, sizeof text, "%0*.0f%010.7f", digits, whole_deg, 60.0 * (magnitude_deg - whole_deg));
+    return std::string(text);
+  };
+  std::string text;
+  for (const StampedPose& pose : truth.poses()) {
+    const Pose T_world_gnss = pose.T_world_base * mount.T_base_gnss();
+    const Geodetic place = frame.to_geodetic(T_world_gnss.translation_m());
+    const Eigen::Matrix3d R_enu_gnss =
+        frame.R_local_enu(place).transpose() * T_world_gnss.rotation().toRotationMatrix();
+    const double to_deg = 180.0 / std::numbers::pi;
+    const double heading_deg = std::fmod(450.0 - to_deg * std::atan2(R_enu_gnss(1, 0), R_enu_gnss(0, 0)), 360.0);
+    const auto ms = static_cast<int>(pose.stamp_ns / 1'000'000);
+    char line[200];
+    std::snprintf(line, sizeof line, "GNGGA,1200%02d.%03d,%s,%c,%s,%c,4,14,0.7,%.4f,M,-31.5,M,1.0,0001", ms / 1000,
+                  ms % 1000, angle(place.lat_deg, 2).c_str(), place.lat_deg < 0.0 ? 'S' : 'N',
+                  angle(place.lon_deg, 3).c_str(), place.lon_deg < 0.0 ? 'W' : 'E', place.h_m + 31.5);
+    text += sentence(line);
+    std::snprintf(line, sizeof line, "PASHR,1200%02d.%03d,%.5f,T,%+.5f,%+.5f,0.0,0.1,0.1,0.2,2,1", ms / 1000, ms % 1000,
+                  heading_deg, to_deg * std::atan2(R_enu_gnss(2, 1), R_enu_gnss(2, 2)),
+                  to_deg * std::asin(R_enu_gnss(2, 0)));
+    text += sentence(line);
+  }
+  return text;
+}
+
+TEST(Nmea, GivesBackTheDriveThatWasLogged) {
+  GnssMountConfig mount;
+  mount.x_m = -1.5;
+  mount.y_m = 0.8;
+  mount.z_m = 5.5;
+  mount.yaw_deg = 90.0;
+  mount.roll_deg = -2.0;
+  mount.pitch_deg = 1.0;
+  for (const Geodetic& place : {Geodetic{-23.4, 119.8, 700.0}, Geodetic{67.8, -20.2, 300.0}}) {
+    DatumConfig datum;
+    datum.origin = "given";
+    datum.lat_deg = place.lat_deg;
+    datum.lon_deg = place.lon_deg;
+    datum.h_m = place.h_m;
+    Trajectory truth;
+    for (int i = 0; i < 500; ++i) {
+      const double s = 0.8 * i;
+      truth.append(i * 100'000'000LL,
+                   Pose::from_yaw_pitch_roll(0.02 * s, 0.1 * std::sin(s), -0.08, {5000.0 + s, 3000.0 - s, -0.1 * s}));
+    }
+    const PoseLog log = parse(logged(truth, LocalFrame(place), mount), {}, mount, datum);
+    ASSERT_EQ(log.trajectory.size(), truth.size());
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const Vector6d error = (truth.poses()[i].T_world_base.inverse() * log.trajectory.poses()[i].T_world_base).log();
+      EXPECT_LT(error.head<3>().norm(), 1e-3) << i;
+      EXPECT_LT(error.tail<3>().norm(), 1e-6) << i;
+    }
+  }
 }
 
 TEST(Nmea, AnyDamageIsCountedOrOneError) {
