@@ -125,6 +125,14 @@ const Traces& TraceFinder::process(const PointsView& points, std::span<const Lab
   }
   gather(level);
   find_breaks(level);
+  const auto broken = std::count(traces_.is_broken.begin(), traces_.is_broken.end(), std::uint8_t{1});
+  if (traces_.kind == TraceKind::rings &&
+      static_cast<float>(broken) > (1.0F - kMinShare) * static_cast<float>(traces_.is_broken.size())) {
+    traces_.kind = TraceKind::radial;  // rings, but not in firing order
+    order_radially(labels, level, sectors);
+    gather(level);
+    find_breaks(level);
+  }
   return traces_;
 }
 

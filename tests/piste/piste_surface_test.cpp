@@ -214,11 +214,11 @@ TEST(PisteSurface, IsThePlainSolutionOfTheNormalEquations) {
     const auto covariance = solver.solve(decltype(plain.information)::Identity()).eval();
     for (int r = 0; r < PisteSurface::kTerms; ++r) {
       const double sigma = std::sqrt(covariance(r, r));
-      RC_ASSERT(std::abs(surface.value(Terms::Unit(r)) - solution[r]) < 1e-7 * std::max(sigma, std::abs(solution[r])));
+      RC_ASSERT(std::abs(surface.value(Terms::Unit(r)) - solution[r]) < 1e-9 * std::max(sigma, std::abs(solution[r])));
       for (int c = 0; c <= r; ++c) {
         const Terms both = Terms::Unit(r) + Terms::Unit(c);
         const double expected = both.dot(covariance * both);
-        RC_ASSERT(std::abs(surface.variance(both) - expected) < 1e-7 * expected);
+        RC_ASSERT(std::abs(surface.variance(both) - expected) < 1e-9 * expected);
       }
     }
   }));

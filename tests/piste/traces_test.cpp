@@ -109,6 +109,9 @@ Traced shuffled(Traced scan, std::uint32_t seed = 1) {
   permute(scan.points.y, order);
   permute(scan.points.z, order);
   permute(scan.labels, order);
+  if (!scan.points.ring.empty()) {
+    permute(scan.points.ring, order);
+  }
   return scan;
 }
 
@@ -251,6 +254,14 @@ TEST(Traces, GoOutwardWithinSectorsWhereThereIsNoOrder) {
     sectors.insert(sector);
   }
   EXPECT_GT(sectors.size(), 30U);
+}
+
+/// Rings without the order within them are no traces.
+TEST(Traces, GoOutwardWhereTheRingsAreInNoOrder) {
+  Traced scan = shuffled(taking_turns(16, 3, true));
+  const Traces& traces = scan.find();
+  EXPECT_EQ(traces.kind, TraceKind::radial);
+  EXPECT_TRUE(holds_the_ground_once(scan, traces));
 }
 
 TEST(Traces, GoOutwardTheSameHoweverThePointsWereShuffled) {
