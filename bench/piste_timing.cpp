@@ -96,6 +96,7 @@ std::vector<StageTimes> time_methods(std::span<const test::Method> methods, std:
     }
   }
   std::vector<StageTimes> times;
+  times.reserve(timed.size());
   for (TimedMethod& method : timed) {
     times.push_back({median(method.snow_ms), median(method.piste_ms)});
   }

@@ -49,6 +49,7 @@ const std::vector<Method>& methods() {
 /// The default reaches the bar, and is better than the baseline and the reference.
 void hold_accuracy(const std::vector<Score>& scores) {
   std::vector<double> accuracy;
+  accuracy.reserve(scores.size());
   for (const Score& score : scores) {
     accuracy.push_back(derive_metrics(score.piste).accuracy.value());
   }
