@@ -19,16 +19,18 @@ using Places = std::vector<Trace::Place>;
 
 /// The side of every place: what most scans saw, where a change of side has to pay for itself (Viterbi, two states).
 std::vector<EdgeSide> sides_along(const Places& places) {
-  constexpr double kChange = 4.0;  // hits that must contradict before the side changes
+  // Metres of full contradiction. Shares, not counts: where a road was driven both ways, chance must not cut the line.
+  constexpr double kChange_m = 4.0;
   std::vector<std::array<bool, 2>> from_other(places.size());
   std::array<double, 2> cost{};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Ridge& ridge = places[i].ridge;
-    const std::array<double, 2> against{ridge.right * kTraceStep_m, ridge.left * kTraceStep_m};
+    const double right = ridge.right / ridge.hits();
+    const std::array<double, 2> against{right * kTraceStep_m, (1.0 - right) * kTraceStep_m};
     std::array<double, 2> next{};
     for (std::size_t side = 0; side < 2; ++side) {
       const double stay = cost[side];
-      const double change = cost[1 - side] + kChange;
+      const double change = cost[1 - side] + kChange_m;
       from_other[i][side] = change < stay;
       next[side] = std::min(stay, change) + against[side];
     }

@@ -7,8 +7,9 @@
 namespace berm {
 namespace {
 
-/// Evidence of this much edge is weighed together: single voxels of noisy edges are hit once or never.
-constexpr double kStretch_m = 0.5;
+/// Evidence of this much edge is weighed together, as a share of the reach, half a metre where much was seen: single
+/// voxels of noisy edges are hit once or never.
+constexpr double kStretch = 0.25;
 /// Once begun, an edge goes on where less was seen: this share of the log-odds that a new one takes.
 constexpr double kGoOn = 0.3;
 /// Samples this near to an edge that was traced are its scatter.
@@ -36,7 +37,8 @@ Ridge turned_back(Ridge ridge) {
 }  // namespace
 
 double ridge_log_odds(const Ridge& ridge, const EdgeOdds& odds) {
-  return std::clamp(kStretch_m * (ridge.hits() * odds.hit + ridge.through * odds.miss), odds.min, odds.max);
+  return std::clamp(kStretch * ridge.reach_m * (ridge.hits() * odds.hit + ridge.through * odds.miss), odds.min,
+                    odds.max);
 }
 
 RidgeTracer::RidgeTracer(const EdgeMap& map, const EdgeEvidence& evidence, double max_gap_m)

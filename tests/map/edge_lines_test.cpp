@@ -175,6 +175,88 @@ TEST(EdgeLines, GapsStayGapsAndNarrowOnesAreCarried) {
   }
 }
 
+TEST(EdgeLines, ARoadDrivenBothWaysKeepsItsLinesWhole) {
+  const Course course = test::straight_course({0.0, 0.0, 0.0}, 0.3, 150.0);
+  auto scans = test::drive(course, {.hits_per_m = 10.0, .seed = 1});
+  auto back = test::drive(course, {.hits_per_m = 10.0, .seed = 2});
+  for (test::MadeScan& scan : back) {
+    for (MappedEdge& edge : scan.edges) {
+      edge.side = edge.side == EdgeSide::left ? EdgeSide::right : EdgeSide::left;
+    }
+    scans.push_back(scan);
+  }
+  EXPECT_EQ(extract_lines(test::map_of(scans), {}).size(), 2U);
+}
+
+TEST(EdgeLines, AFewWrongSidesAreOutvoted) {
+  const Course course = test::straight_course({0.0, 0.0, 0.0}, 0.3, 150.0);
+  auto scans = test::drive(course, {});
+  std::mt19937_64 random(5);
+  for (test::MadeScan& scan : scans) {
+    for (MappedEdge& edge : scan.edges) {
+      if (test::made_uniform(random) < 0.2) {
+        edge.side = edge.side == EdgeSide::left ? EdgeSide::right : EdgeSide::left;
+      }
+    }
+  }
+  const auto lines = extract_lines(test::map_of(scans), {});
+  EXPECT_EQ(lines.size(), 2U);
+  EXPECT_GT(covered(lines, EdgeSide::left, test::beside(course, 7.0)), 0.99);
+  EXPECT_GT(covered(lines, EdgeSide::right, test::beside(course, -7.0)), 0.99);
+}
+
+TEST(EdgeLines, SparseHitsMakeALine) {
+  // One hit a metre, which no voxel remembers twice.
+  const Course course = test::straight_course({0.0, 0.0, 0.0}, 1.1, 200.0);
+  const auto lines = lines_of(course, {.hits_per_m = 1.5});
+  for (const EdgeSide side : {EdgeSide::left, EdgeSide::right}) {
+    const Course edge = test::beside(course, side == EdgeSide::left ? 7.0 : -7.0);
+    EXPECT_GT(covered(lines, side, edge), 0.9);
+    const auto errors_m = distances_m(lines, side, edge);
+    EXPECT_LT(errors_m[errors_m.size() / 2], 0.08);
+  }
+}
+
+TEST(EdgeLines, BenchesAboveEachOtherStayApart) {
+  // The toe of one bench runs 4 m above that of another, at the same place on the plan.
+  const Course low = test::straight_course({0.0, 0.0, 100.0}, 0.0, 60.0);
+  const Course high = test::straight_course({0.0, 0.0, 104.0}, 0.0, 60.0);
+  auto scans = test::drive(low, {});
+  const auto more = test::drive(high, {.seed = 2});
+  scans.insert(scans.end(), more.begin(), more.end());
+  const auto lines = extract_lines(test::map_of(scans), {});
+  EXPECT_EQ(lines.size(), 4U);
+  for (const EdgeLine& line : lines) {
+    for (const EdgeLine::Vertex& vertex : line.vertices) {
+      EXPECT_NEAR(std::min(std::abs(vertex.position_m.z() - 100.0), std::abs(vertex.position_m.z() - 104.0)), 0.0, 0.2);
+    }
+  }
+}
+
+TEST(EdgeLines, AnIslandIsClosed) {
+  // A windrow of 12 m across in the middle of a yard, driven around with it on the left.
+  const Course around = test::arc_course({0.0, 0.0, 0.0}, 10.0, 0.0, 2.0 * std::numbers::pi);
+  auto scans = test::drive(around, {.half_width_m = 4.0});
+  for (test::MadeScan& scan : scans) {
+    std::erase_if(scan.edges, [](const MappedEdge& edge) { return edge.side == EdgeSide::right; });
+  }
+  const auto lines = extract_lines(test::map_of(scans), {});
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].side, EdgeSide::left);
+  EXPECT_LT((lines[0].vertices.back().position_m - lines[0].vertices.front().position_m).norm(), 0.6);
+  EXPECT_NEAR(length_m(lines[0]), 2.0 * std::numbers::pi * 6.0, 1.5);
+}
+
+TEST(EdgeLines, StrayHitsMakeNone) {
+  EdgeMap map({});
+  std::mt19937_64 random(3);
+  for (int scan = 0; scan < 300; ++scan) {
+    const Eigen::Vector3d place_m(100.0 * test::made_uniform(random), 100.0 * test::made_uniform(random), 0.0);
+    map.add_scan(std::vector<MappedEdge>{{place_m, EdgeSide::left}}, {});
+  }
+  EXPECT_TRUE(extract_lines(map, {}).empty());
+}
+
 TEST(EdgeLines, EdgesOfTwoRoadsMeetAtTheirCorners) {
   // A crossing of two roads, each driven; edges end where the other road begins.
   const Course east = test::straight_course({-60.0, 0.0, 0.0}, 0.0, 120.0);
@@ -225,7 +307,8 @@ TEST(EdgeLines, LineWithinTheNoiseForAnyPlaceAndHeading) {
 
 TEST(EdgeLines, TheSameForAnyOrderOfScans) {
   EXPECT_TRUE(rc::check([] {
-    auto scans = test::drive(test::s_bend_course(20.0), {.hits_per_m = 10.0, .outlier_share = 0.1});
+    auto scans =
+        test::drive(test::s_bend_course(10.0), {.half_width_m = 4.0, .hits_per_m = 10.0, .outlier_share = 0.1});
     const auto lines = extract_lines(test::map_of(scans), {});
     std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
     std::shuffle(scans.begin(), scans.end(), random);
