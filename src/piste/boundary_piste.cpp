@@ -114,7 +114,8 @@ void BoundaryPiste::State::find_boundary(const PisteInput& input) {
 void BoundaryPiste::State::relabel(std::span<const Label> input) {
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
     const float range_m = bearing_grid::range_of(bound[sector]);
-    bound_squared_m2[sector] = range_m * range_m;
+    const bool is_found = bound[sector] < kBins;
+    bound_squared_m2[sector] = is_found ? range_m * range_m : std::numeric_limits<float>::infinity();
   }
   labels.resize(input.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
