@@ -69,7 +69,8 @@ std::vector<EdgeLine::Vertex> resample(std::span<const Trace::Place> places, con
     }
     const EdgeLine::Vertex from = vertex_at(places[i - 1], odds);
     const EdgeLine::Vertex to = vertex_at(places[i], odds);
-    const double share = std::clamp((target_m - at_m[i - 1]) / (at_m[i] - at_m[i - 1]), 0.0, 1.0);
+    const double stretch_m = at_m[i] - at_m[i - 1];
+    const double share = stretch_m > 0.0 ? std::clamp((target_m - at_m[i - 1]) / stretch_m, 0.0, 1.0) : 0.0;
     double confidence = from.confidence + share * (to.confidence - from.confidence);
     if (places[i].after_gap && share > 0.0 && share < 1.0) {
       confidence = 0.5;

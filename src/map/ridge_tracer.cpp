@@ -14,6 +14,10 @@ constexpr double kStretch = 0.25;
 constexpr double kGoOn = 0.3;
 /// Samples this near to an edge that was traced are its scatter.
 constexpr double kClaim_m = 0.8;
+/// Ends this near to another edge, and pointing to it, meet it there.
+constexpr double kMeet_m = 1.5;
+constexpr double kMeetCosine = 0.7;
+constexpr double kMeetsAlready_m = 0.05;
 /// An edge that comes back to itself after fewer steps has only turned.
 constexpr std::int32_t kLoopSteps = 24;
 constexpr double kSeedRadius_m = 0.5;
@@ -26,6 +30,27 @@ constexpr double kShiftPerMetre = 0.2;
 double aside_m(const Ridge& frame, const Eigen::Vector3d& place_m) {
   const Eigen::Vector3d to = place_m - frame.position_m;
   return std::abs(to.y() * frame.direction.x() - to.x() * frame.direction.y());
+}
+
+/// The place of another trace that an end points to from close by; none if there is none.
+const Ridge* find_meeting(const std::vector<Trace>& traces, std::size_t own, const Ridge& end) {
+  const Ridge* nearest = nullptr;
+  double least_m = kMeet_m;
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (i == own) {
+      continue;
+    }
+    for (const Trace::Place& place : traces[i].places) {
+      const Eigen::Vector3d to = place.ridge.position_m - end.position_m;
+      const double distance_m = to.head<2>().norm();
+      if (distance_m > kMeetsAlready_m && distance_m < least_m && std::abs(to.z()) < kMeet_m &&
+          end.direction.dot(to.head<2>()) >= kMeetCosine * distance_m) {
+        least_m = distance_m;
+        nearest = &place.ridge;
+      }
+    }
+  }
+  return nearest;
 }
 
 Ridge turned_back(Ridge ridge) {
@@ -71,7 +96,29 @@ std::vector<Trace> RidgeTracer::trace_all() {
     traces.push_back(trace(start));
     claim(traces.back());
   }
+  join_ends(traces);
   return traces;
+}
+
+void join_ends(std::vector<Trace>& traces) {
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    std::vector<Trace::Place>& places = traces[i].places;
+    if (traces[i].closed) {
+      continue;
+    }
+    const Trace::Place first = places.front();
+    const Trace::Place last = places.back();
+    if (const Ridge* meeting = find_meeting(traces, i, last.ridge)) {
+      places.push_back(last);
+      places.back().ridge.position_m = meeting->position_m;
+      places.back().after_gap = false;
+    }
+    if (const Ridge* meeting = find_meeting(traces, i, turned_back(first.ridge))) {
+      places.insert(places.begin(), first);
+      places.front().ridge.position_m = meeting->position_m;
+      places[1].after_gap = false;
+    }
+  }
 }
 
 std::vector<std::size_t> RidgeTracer::seeds() const {

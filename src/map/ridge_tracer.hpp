@@ -52,6 +52,9 @@ class RidgeTracer {
   std::uint32_t edge_ = 0;
 };
 
+/// Lengthens ends that stop short of another edge, where the scatter of that one begins, up to it.
+void join_ends(std::vector<Trace>& traces);
+
 /// Log-odds of an edge from what was seen in the stretch that a vertex stands for, clamped as in the map.
 [[nodiscard]] double ridge_log_odds(const Ridge& ridge, const EdgeOdds& odds);
 

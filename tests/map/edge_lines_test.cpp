@@ -247,6 +247,31 @@ TEST(EdgeLines, AnIslandIsClosed) {
   EXPECT_NEAR(length_m(lines[0]), 2.0 * std::numbers::pi * 6.0, 1.5);
 }
 
+TEST(EdgeLines, AnEdgeThatRunsIntoAnotherEndsOnIt) {
+  EdgeMap map({});
+  std::mt19937_64 random(4);
+  for (int scan = 0; scan < 60; ++scan) {
+    std::vector<MappedEdge> edges;
+    for (int hit = 0; hit < 30; ++hit) {
+      const double along_m = 30.0 * test::made_uniform(random);
+      const double aside_m = 0.1 * test::made_noise(random);
+      edges.push_back({{2.0 * along_m - 30.0, 7.0 + aside_m, 0.0}, EdgeSide::left});
+      edges.push_back({{aside_m, 7.0 + along_m, 0.0}, EdgeSide::left});
+    }
+    map.add_scan(edges, {});
+  }
+  const auto lines = extract_lines(map, {});
+  ASSERT_EQ(lines.size(), 2U);
+  const bool first_is_branch = length_m(lines[0]) < length_m(lines[1]);
+  const EdgeLine& branch = lines[first_is_branch ? 0 : 1];
+  EXPECT_NEAR(length_m(branch), 30.0, 0.6);
+  EXPECT_NEAR(length_m(lines[first_is_branch ? 1 : 0]), 60.0, 1.0);
+  const bool front_meets = branch.vertices.front().position_m.y() < branch.vertices.back().position_m.y();
+  const Eigen::Vector3d meeting_m = (front_meets ? branch.vertices.front() : branch.vertices.back()).position_m;
+  EXPECT_NEAR(meeting_m.x(), 0.0, 0.2);
+  EXPECT_NEAR(meeting_m.y(), 7.0, 0.1);
+}
+
 TEST(EdgeLines, StrayHitsMakeNone) {
   EdgeMap map({});
   std::mt19937_64 random(3);
@@ -301,6 +326,39 @@ TEST(EdgeLines, LineWithinTheNoiseForAnyPlaceAndHeading) {
       RC_ASSERT(errors_m[errors_m.size() / 2] < 0.05);
       RC_ASSERT(errors_m[errors_m.size() - 3] < 0.15);
       RC_ASSERT(errors_m.back() < 0.5);
+    }
+  }));
+}
+
+TEST(EdgeLines, AnyHitsGiveFiniteLinesNearHits) {
+  // Hits that make no sense: clumps, crossing rows, single ones, any side, any height.
+  EXPECT_TRUE(rc::check([] {
+    std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+    const double size_m = *rc::gen::element(2.0, 15.0, 60.0);
+    EdgeMap map({});
+    Course hits;
+    for (int row = *rc::gen::inRange(0, 12); row > 0; --row) {
+      const Eigen::Vector3d from_m(size_m * test::made_uniform(random), size_m * test::made_uniform(random),
+                                   3.0 * test::made_uniform(random));
+      const double heading_rad = 6.3 * test::made_uniform(random);
+      const double length_m = size_m * test::made_uniform(random);
+      for (double along_m = 0.0; along_m <= length_m; along_m += 0.3 * test::made_uniform(random)) {
+        hits.emplace_back(from_m + along_m * Eigen::Vector3d(std::cos(heading_rad), std::sin(heading_rad), 0.0));
+        map.add_scan(std::vector<MappedEdge>{{hits.back(), random() % 2 == 0 ? EdgeSide::left : EdgeSide::right}}, {});
+      }
+    }
+    EdgeLinesConfig config;
+    config.min_length_m = *rc::gen::element(0.0, 3.0);
+    for (const EdgeLine& line : extract_lines(map, config)) {
+      RC_ASSERT(line.vertices.size() >= 2U);
+      for (const EdgeLine::Vertex& vertex : line.vertices) {
+        RC_ASSERT(vertex.position_m.allFinite());
+        RC_ASSERT(vertex.confidence >= 0.0 && vertex.confidence <= 0.97 + 1e-9);
+        const bool near = std::any_of(hits.begin(), hits.end(), [&](const Eigen::Vector3d& hit_m) {
+          return (hit_m - vertex.position_m).norm() < 0.5 * config.max_gap_m + 0.5;
+        });
+        RC_ASSERT(near);
+      }
     }
   }));
 }

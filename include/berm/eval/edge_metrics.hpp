@@ -36,8 +36,8 @@ struct EdgeScore {
 
 /// Judges `found` by `truth`, whole lines from vertex to vertex. `path_m`: where the machine was, in order. An edge
 /// that was found far from the path counts as found, and as right if truth has it. Throws Error(invalid_argument) for a
-/// coordinate that is not finite or beyond 1e9 m, for lines of more than 5,000 km together, for a `judge` whose lengths are not
-/// positive.
+/// coordinate that is not finite or beyond 1e9 m, for lines of more than 5,000 km together, for a `judge` whose lengths
+/// are not positive.
 [[nodiscard]] EdgeScore judge_edges(std::span<const EdgeLine> found, std::span<const EdgeLine> truth,
                                     std::span<const Eigen::Vector3d> path_m, const EdgeJudge& judge = {});
 
