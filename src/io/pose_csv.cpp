@@ -47,10 +47,9 @@ enum class Field : std::uint8_t {
   yaw,
   heading,
   quality,
-  kCount,
   other,
 };
-constexpr std::size_t kFields = static_cast<std::size_t>(Field::kCount);
+constexpr std::size_t kFields = static_cast<std::size_t>(Field::other);
 
 struct Column {
   std::string_view name;

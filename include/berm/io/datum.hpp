@@ -8,7 +8,7 @@
 
 #include "berm/core/config.hpp"
 
-namespace GeographicLib {
+namespace GeographicLib {  // NOLINT(readability-identifier-naming): the library's name
 class LocalCartesian;
 }
 
