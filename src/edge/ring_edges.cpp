@@ -1,5 +1,6 @@
 #include "berm/edge/ring_edges.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -11,6 +12,11 @@
 #include "road_divide.hpp"
 
 namespace berm {
+namespace {
+
+constexpr float kReach_m = 1000.0F;  // no sensor of a machine sees farther
+
+}  // namespace
 
 void RingEdgesConfig::check() const {
   check_fields(*this, "edge_reference");
@@ -22,10 +28,12 @@ void RingEdgesConfig::check() const {
 struct RingEdges::State {
   explicit State(const RingEdgesConfig& settings) : config(settings), grid(settings.sectors, settings.guessed_rings) {}
 
+  void find_solid(const EdgeInput& input);
   void collect_edges(const Pose& T_base_sensor);
   void collect_plain();
 
   RingEdgesConfig config;
+  std::vector<Label> solid;
   RingGrid grid;
   std::vector<std::uint8_t> is_ground;
   std::vector<std::uint8_t> is_edge;
@@ -46,12 +54,23 @@ EdgeResult RingEdges::process(const EdgeInput& input) {
     throw Error(ErrorCode::invalid_argument, "edge: points and labels must have one length");
   }
   State& s = *state_;
-  s.grid.fill(input.points, input.labels, input.T_base_sensor);
+  s.find_solid(input);
+  s.grid.fill(input.points, s.solid, input.T_base_sensor);
   find_ring_ground(s.grid, s.config.t1_m, s.config.t2_m, s.is_ground);
   mark_ring_edges(s.grid, s.is_ground, s.config, s.is_edge);
   s.collect_edges(input.T_base_sensor);
   s.collect_plain();
   return {.edges = s.edges, .plain = s.plain};
+}
+
+void RingEdges::State::find_solid(const EdgeInput& input) {
+  const PointsView& points = input.points;
+  solid.resize(input.labels.size());
+  for (std::size_t i = 0; i < solid.size(); ++i) {
+    // False for NaN too, whatever its label says.
+    const bool in_reach = std::abs(points.x[i]) + std::abs(points.y[i]) + std::abs(points.z[i]) < kReach_m;
+    solid[i] = in_reach ? input.labels[i] : Label::unlabeled;
+  }
 }
 
 void RingEdges::State::collect_edges(const Pose& T_base_sensor) {
