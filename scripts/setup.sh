@@ -4,7 +4,7 @@
 # Installs what is missing to build and test berm, with apt-get, on Debian 12 and Ubuntu 22.04 / 24.04.
 # What is there already is left alone: a second call does nothing and needs no network.
 #
-#   --dev    also the tools of lint, fuzz and coverage
+#   --dev    also the tools of lint, fuzz and coverage, and those that tests read exports back with
 #   --list   only print what would be installed
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -16,7 +16,7 @@ packages=(
   liblzf-dev libpng-dev robin-map-dev libembree-dev libgdal-dev liboctomap-dev
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
 )
-dev_packages=(gcovr shellcheck python3)
+dev_packages=(gcovr shellcheck python3 gdal-bin libxml2-utils)
 
 list_only=false
 dev=false
