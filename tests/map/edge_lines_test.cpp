@@ -272,6 +272,42 @@ TEST(EdgeLines, AnEdgeThatRunsIntoAnotherEndsOnIt) {
   EXPECT_NEAR(meeting_m.y(), 7.0, 0.1);
 }
 
+TEST(EdgeLines, PartsMeetAtASharpCorner) {
+  EdgeMap map({});
+  std::mt19937_64 random(6);
+  for (int scan = 0; scan < 60; ++scan) {
+    std::vector<MappedEdge> edges;
+    for (int hit = 0; hit < 30; ++hit) {
+      const Eigen::Vector3d noise(0.1 * test::made_noise(random), 0.1 * test::made_noise(random), 0.0);
+      edges.push_back({Eigen::Vector3d(30.0 * test::made_uniform(random), 0.0, 0.0) + noise, EdgeSide::left});
+      edges.push_back({Eigen::Vector3d(0.0, 30.0 * test::made_uniform(random), 0.0) + noise, EdgeSide::left});
+    }
+    map.add_scan(edges, {});
+  }
+  const auto lines = extract_lines(map, {});
+  double total_m = 0.0;
+  double from_corner_m = 1e9;
+  for (const EdgeLine& line : lines) {
+    total_m += length_m(line);
+    for (const EdgeLine::Vertex& vertex : line.vertices) {
+      from_corner_m = std::min(from_corner_m, vertex.position_m.norm());
+      EXPECT_LT(std::min(std::abs(vertex.position_m.x()), std::abs(vertex.position_m.y())), 0.4);
+    }
+  }
+  EXPECT_NEAR(total_m, 60.0, 1.5);
+  EXPECT_LT(from_corner_m, 0.3);
+  if (lines.size() == 2) {
+    const Course other = course_of(lines[1]);
+    const double gap_m = std::min(test::distance_m(other, lines[0].vertices.front().position_m),
+                                  test::distance_m(other, lines[0].vertices.back().position_m));
+    const Course first = course_of(lines[0]);
+    const double other_gap_m = std::min(test::distance_m(first, other.front()), test::distance_m(first, other.back()));
+    EXPECT_LT(std::min(gap_m, other_gap_m), 0.05);
+  } else {
+    EXPECT_EQ(lines.size(), 1U);
+  }
+}
+
 TEST(EdgeLines, StrayHitsMakeNone) {
   EdgeMap map({});
   std::mt19937_64 random(3);
