@@ -26,8 +26,9 @@ struct EdgeLinesConfig {
 
 /// The edges of a map as lines: ordered along the edge, smooth within the noise and not beyond, gaps kept as gaps. A
 /// line runs as who drives with the edge on its side: the road lies to the right of a left edge. The confidence of a
-/// vertex is the probability, clamped as in the map, that there is an edge in the half metre around it; 0.5 on a
-/// stretch that was not seen. The same map gives the same lines. Throws ConfigError as `EdgeLinesConfig::check`.
+/// vertex is the probability, clamped as in the map, that there is an edge in the half metre around it (a metre where
+/// little was seen); 0.5 on a stretch that was not seen. The same map gives the same lines. Throws ConfigError as
+/// `EdgeLinesConfig::check`.
 [[nodiscard]] std::vector<EdgeLine> extract_lines(const EdgeMap& map, const EdgeLinesConfig& config);
 
 }  // namespace berm
