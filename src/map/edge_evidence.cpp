@@ -13,8 +13,7 @@ EdgeEvidence::EdgeEvidence(const EdgeMap& map) : cells_(kCell_m) {
         {voxel_center_m(key, map.config().voxel_m), static_cast<float>(voxel.left), static_cast<float>(voxel.right)});
   });
   const auto cell_of = [](const EdgeSample& sample) {
-    return std::pair(static_cast<std::int32_t>(std::floor(sample.position_m.x() / kCell_m)),
-                     static_cast<std::int32_t>(std::floor(sample.position_m.y() / kCell_m)));
+    return std::pair(cell(sample.position_m.x()), cell(sample.position_m.y()));
   };
   std::stable_sort(samples_.begin(), samples_.end(),
                    [&](const EdgeSample& a, const EdgeSample& b) { return cell_of(a) < cell_of(b); });

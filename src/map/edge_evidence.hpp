@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +34,6 @@ class EdgeEvidence {
   /// that depends on the place alone.
   template <typename Visit>
   void around(const Eigen::Vector3d& place_m, double radius_m, Visit&& visit) const {
-    const auto cell = [](double coordinate_m) { return static_cast<std::int32_t>(std::floor(coordinate_m / kCell_m)); };
     for (std::int32_t x = cell(place_m.x() - radius_m); x <= cell(place_m.x() + radius_m); ++x) {
       for (std::int32_t y = cell(place_m.y() - radius_m); y <= cell(place_m.y() + radius_m); ++y) {
         if (const auto* range = cells_.find({x, y, 0})) {
@@ -47,6 +47,11 @@ class EdgeEvidence {
 
  private:
   static constexpr double kCell_m = 1.0;
+  /// What lies farther out than cells can be counted shares the last one.
+  static std::int32_t cell(double coordinate_m) {
+    return static_cast<std::int32_t>(
+        std::clamp(std::floor(coordinate_m / kCell_m), -1.0 * kMaxVoxelKey, 1.0 * kMaxVoxelKey));
+  }
 
   std::vector<EdgeSample> samples_;                           // cell by cell
   VoxelHash<std::pair<std::uint32_t, std::uint32_t>> cells_;  // first sample, and one past the last

@@ -308,6 +308,23 @@ TEST(EdgeLines, PartsMeetAtASharpCorner) {
   }
 }
 
+TEST(EdgeLines, HitsAtTheEndOfTheLatticeAreHarmless) {
+  EdgeMapConfig config;
+  config.voxel_m = 5.0;
+  EdgeMap map(config);
+  for (const double sign : {-1.0, 1.0}) {
+    for (int hit = 0; hit < 20; ++hit) {
+      const Eigen::Vector3d place_m(sign * 5.36e9 + 5.0 * hit, sign * 5.36e9, 0.0);
+      EXPECT_EQ(map.add_scan(std::vector<MappedEdge>{{place_m, EdgeSide::left}}, {}), 0U);
+    }
+  }
+  for (const EdgeLine& line : extract_lines(map, {})) {
+    for (const EdgeLine::Vertex& vertex : line.vertices) {
+      EXPECT_TRUE(vertex.position_m.allFinite());
+    }
+  }
+}
+
 TEST(EdgeLines, StrayHitsMakeNone) {
   EdgeMap map({});
   std::mt19937_64 random(3);
