@@ -180,8 +180,8 @@ void BoundaryEvidence::adapt(const TraceWindows& windows) {
 }
 
 void BoundaryEvidence::weigh_windows(const TraceWindows& windows) {
-  constexpr float kHeightGrows = 0.02F;  // what the polynomial misses per metre beyond kGrowsFrom_m
-  constexpr float kSlopeGrows = 0.002F;
+  constexpr float kHeightGrows = 0.06F;  // what the polynomial misses per metre beyond kGrowsFrom_m: rollers, crests
+  constexpr float kSlopeGrows = 0.008F;
   constexpr float kGrowsFrom_m = 10.0F;
   constexpr float kWanderShare = 0.15F;  // of a slope that wanders, what bends within a window
   constexpr float kTypicalRatio = 4.0F;  // of variances; groomed snow rarely exceeds it

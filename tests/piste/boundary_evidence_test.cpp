@@ -173,7 +173,7 @@ TEST(BoundaryEvidence, TakesWavesUnderTheMachineForThoseOfThePiste) {
       config.adapt = adapt;
       Weighed weighed(config);
       weighed.weigh(field(waves), 14.0F);
-      for_it[adapt ? 1 : 0] = weighed.shares(8.0F, 20.0F).first;
+      for_it[adapt ? 1 : 0] = weighed.shares(6.0F, 14.0F).first;
     }
     EXPECT_GT(for_it[0], 0.2);
     EXPECT_LT(for_it[1], 0.3 * for_it[0]);
