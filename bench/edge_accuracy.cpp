@@ -51,7 +51,7 @@ std::vector<Method> all_methods() {
           trace_edges("without agree", [](C& c) { c.agree = false; }),
           trace_edges("without outline", [](C& c) { c.outline = false; }),
           trace_edges("without find_drops", [](C& c) { c.find_drops = false; }),
-          trace_edges("min_run_m 3", [](C& c) { c.min_run_m = 3.0; }),
+          trace_edges("min_run_m 2", [](C& c) { c.min_run_m = 2.0; }),
           trace_edges("road_noise_m 0.03", [](C& c) { c.road_noise_m = 0.03; }),
           trace_edges("max_road_slope 0.08", [](C& c) { c.max_road_slope = 0.08; }),
           trace_edges("min_height_m 0.4", [](C& c) { c.min_height_m = 0.4; }),
@@ -153,27 +153,46 @@ std::vector<std::vector<WorldEdge>> find_edges(const Recording& recording, const
 }
 
 void print(const std::string& name, const EdgeScore& score) {
-  fmt::print("{:<44} {:6.1f} {:8.2f} {:8.3f} {:7.2f} {:7.2f} {:7.1f} {:8.3f}\n", name,
-             static_cast<double>(score.points) / static_cast<double>(std::max<std::size_t>(score.scans, 1)),
+  fmt::print("{:<44} {:6.1f} {:8.2f} {:8.3f} {:7.2f} {:7.2f} {:7.1f} {:8.3f}\n", name, score.points_a_scan,
              100.0 * score.within, score.median_m, score.p95_m, 100.0 * score.wrong_side, 100.0 * score.seen,
              score.height_median_m);
 }
 
+void add_to(EdgeScore& sum, const EdgeScore& one, double weight) {
+  sum.scans = 1;
+  sum.points_a_scan += weight * one.points_a_scan;
+  sum.within += weight * one.within;
+  sum.median_m += weight * one.median_m;
+  sum.p95_m += weight * one.p95_m;
+  sum.wrong_side += weight * one.wrong_side;
+  sum.seen += weight * one.seen;
+  sum.height_median_m += weight * one.height_median_m;
+}
+
+/// The first two methods on every recording, then the means of all over the recordings.
 void run_roads(const std::vector<std::string>& folders, const std::vector<Method>& methods, std::size_t step,
                const std::string& dump_file) {
   fmt::print("{:<44} {:>6} {:>8} {:>8} {:>7} {:>7} {:>7} {:>8}\n", "", "a scan", "0.5 m, %", "median", "p95", "side, %",
              "seen, %", "height");
+  std::vector<EdgeScore> means(methods.size());
   for (const std::string& folder : folders) {
     const Recording recording = Recording::open(folder);
     const RoadTruth truth = read_truth(recording);
     std::size_t scans = 0;
     const auto found = find_edges(recording, methods, step, scans);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      print(std::filesystem::path(folder).filename().string() + " " + methods[m].name, score(found[m], truth, scans));
+      const EdgeScore one = score(found[m], truth, scans);
+      add_to(means[m], one, 1.0 / static_cast<double>(folders.size()));
+      if (m < 2) {
+        print(std::filesystem::path(folder).filename().string() + " " + methods[m].name, one);
+      }
     }
     if (!dump_file.empty() && !found.empty()) {
       dump(dump_file, found.back(), truth);
     }
+  }
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    print("mean " + methods[m].name, means[m]);
   }
 }
 

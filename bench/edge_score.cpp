@@ -135,7 +135,7 @@ EdgeScore score(const std::vector<WorldEdge>& found, const RoadTruth& truth, std
   };
   EdgeScore result;
   result.scans = scans;
-  result.points = all.size();
+  result.points_a_scan = static_cast<double>(all.size()) / static_cast<double>(std::max<std::size_t>(scans, 1));
   result.within = share(near.size(), all.size());
   result.wrong_side = share(wrong, near.size());
   result.median_m = quantile(near, 0.5);

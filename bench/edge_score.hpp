@@ -29,7 +29,7 @@ struct RoadTruth {
 /// How single edge points compare with the truth.
 struct EdgeScore {
   std::size_t scans = 0;
-  std::size_t points = 0;        ///< within 25 m of the path
+  double points_a_scan = 0.0;    ///< within 25 m of the path
   double within = 0.0;           ///< share within 0.5 m of an edge
   double median_m = 0.0;         ///< distance of these
   double p95_m = 0.0;            ///< distance of all

@@ -9,7 +9,7 @@
 namespace berm {
 namespace {
 
-constexpr float kRow_m = 15.0F;   // along a row of berms: a drop so near to one is seen through a gap of the row
+constexpr float kRow_m = 25.0F;   // along a row of berms: a drop so near to one is seen through a gap of the row
 constexpr float kBeside = 0.6F;   // difference of two cosines, below which a place is neither ahead nor behind
 constexpr float kOutward = 0.3F;  // sine, below which a trace runs neither way around
 
@@ -33,9 +33,6 @@ void OwnEdges::process(const Traces& traces, const RoadToes& found) {
     keep([&](std::size_t i) { return !view_.hides(places_[i].x_m, places_[i].y_m); });
   }
   find_supporters(places_);
-  if (config_.agree) {
-    keep([&](std::size_t i) { return !stands_alone(places_[i], places_, min_radius_m); });
-  }
   outline_.clear();
   if (config_.outline) {
     for (std::size_t i = 0; i < toes_.size(); ++i) {
@@ -45,6 +42,9 @@ void OwnEdges::process(const Traces& traces, const RoadToes& found) {
     }
     outline_.close(divide_, min_radius_m);
     keep([&](std::size_t i) { return !outline_.is_beyond(places_[i].x_m, places_[i].y_m); });
+  }
+  if (config_.agree) {
+    keep([&](std::size_t i) { return !stands_alone(places_[i], places_, min_radius_m); });
   }
   keep([&](std::size_t i) { return toes_[i].kind == EdgeKind::rise || !is_in_row(places_[i]); });
 }

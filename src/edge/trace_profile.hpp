@@ -16,11 +16,11 @@ class TraceProfile {
     float slope = 0.0F;
     float rms_m = 0.0F;
 
-    [[nodiscard]] float at(float s_m) const { return height_m + slope * (s_m - s0_m); }
+    [[nodiscard]] float at(float s) const { return height_m + slope * (s - s0_m); }
   };
 
   void clear();
-  void add(std::uint32_t index, float s_m, float h_m);
+  void add(std::uint32_t at, float s, float h);
 
   [[nodiscard]] std::size_t size() const { return s_m.size(); }
   /// Least squares over the points [first, last]; level if they lie in one place.

@@ -55,7 +55,7 @@ class TraceEdges final : public EdgeDetector {
 void TraceEdgesConfig::fields(auto&& field) {
   using C = TraceEdgesConfig;
   field("max_range_m", &C::max_range_m, Range{5.0, 200.0}, "edges are looked for this far from the sensor");
-  field("min_run_m", &C::min_run_m, Range{0.2, 20.0}, "smooth road that a trace has to show before an edge");
+  field("min_run_m", &C::min_run_m, Range{0.2, 2.0}, "smooth road that a trace has to show before an edge");
   field("road_noise_m", &C::road_noise_m, Range{0.001, 0.5}, "of road about its own line along a trace, one sigma");
   field("max_road_slope", &C::max_road_slope, Range{0.01, 1.0}, "of a trace against the surface of the road");
   field("min_height_m", &C::min_height_m, Range{0.03, 5.0}, "what rises less is no edge; 0.08 finds kerbs");
