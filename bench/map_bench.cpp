@@ -74,8 +74,10 @@ const EdgeMap& map_of(int length_m) {
 void add_scan(benchmark::State& state) {
   EdgeMap map = map_of(static_cast<int>(state.range(0)));
   std::mt19937_64 random(2);
+  constexpr int kScans = 50;
   std::vector<Scan> scans;
-  for (int i = 0; i < 50; ++i) {
+  scans.reserve(kScans);
+  for (int i = 0; i < kScans; ++i) {
     scans.push_back(scan_at(uniform(random) * static_cast<double>(state.range(0)), random));
   }
   std::size_t next = 0;

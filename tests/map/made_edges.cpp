@@ -47,7 +47,7 @@ Course s_bend_course(double radius_m) {
 Course beside(const Course& course, double left_m) {
   Course moved;
   for (std::size_t i = 0; i < course.size(); ++i) {
-    moved.push_back(course[i] + left_m * to_left(course, i));
+    moved.emplace_back(course[i] + left_m * to_left(course, i));
   }
   return moved;
 }
