@@ -151,7 +151,9 @@ TEST(OctomapFile, OctomapsToolsTakeIt) {
     if (std::system(("command -v " + tool + " > /dev/null").c_str()) == 0) {
       ++tools;
       const std::string out = (folder.path() / (tool == "octree2pointcloud" ? "edges.pcd" : "edges.bt")).string();
-      EXPECT_EQ(std::system((tool + " " + file.string() + " " + out + " > /dev/null 2>&1").c_str()), 0) << tool;
+      std::string command = tool;
+      command.append(" ").append(file.string()).append(" ").append(out).append(" > /dev/null 2>&1");
+      EXPECT_EQ(std::system(command.c_str()), 0) << tool;
       EXPECT_GT(std::filesystem::file_size(out), 100U) << tool;
     }
   }
