@@ -128,6 +128,7 @@ std::vector<std::vector<WorldEdge>> find_edges(const Recording& recording, const
   const Trajectory poses = recording.read_truth_poses().value();
   Ground ground;
   std::vector<std::unique_ptr<EdgeDetector>> detectors;
+  detectors.reserve(methods.size());
   for (const Method& method : methods) {
     detectors.push_back(method.make());
   }

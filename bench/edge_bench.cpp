@@ -36,8 +36,8 @@ const EdgeCase& edge_case(const std::string& name) {
   static std::map<std::string, std::unique_ptr<EdgeCase>> cases;
   std::unique_ptr<EdgeCase>& made = cases[name];
   if (made == nullptr && name == "haul_road_16") {
-    static const test::RoadScan road = test::scan_road(test::bend_between_berms(60.0, 7.0, 1.2));
-    made = std::make_unique<EdgeCase>(road.points(), road.T_base_sensor);
+    static const test::RoadScan kRoad = test::scan_road(test::bend_between_berms(60.0, 7.0, 1.2));
+    made = std::make_unique<EdgeCase>(kRoad.points(), kRoad.T_base_sensor);
   } else if (made == nullptr) {
     made = std::make_unique<EdgeCase>(scan(name).cloud.view(), scan(name).T_base_sensor);
   }
@@ -49,7 +49,8 @@ void add(const std::string& method) {
   std::vector<std::string> names = all_scans();
   names.emplace_back("haul_road_16");
   for (const std::string& name : names) {
-    benchmark::RegisterBenchmark(("edge/" + method + "/" + name).c_str(), [name](benchmark::State& state) {
+    const std::string full_name = std::string("edge/").append(method).append("/").append(name);
+    benchmark::RegisterBenchmark(full_name.c_str(), [name](benchmark::State& state) {
       const EdgeCase& measured = edge_case(name);
       Edges edges{Config{}};
       for (auto _ : state) {
