@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
+#include "berm/geometry/traces.hpp"
 #include "road_divide.hpp"
 #include "road_view.hpp"
-#include "traces.hpp"
 
 namespace berm {
 

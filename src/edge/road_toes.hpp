@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "berm/edge/trace_edges.hpp"
+#include "berm/geometry/traces.hpp"
 #include "road_surface.hpp"
 #include "toe_finder.hpp"
 #include "trace_profile.hpp"
-#include "traces.hpp"
 
 namespace berm {
 

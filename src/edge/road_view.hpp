@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <span>
 
-#include "bearing_grid.hpp"
-#include "traces.hpp"
+#include "berm/geometry/bearing_grid.hpp"
+#include "berm/geometry/traces.hpp"
 
 namespace berm {
 

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "bearing_grid.hpp"
 #include "berm/core/error.hpp"
-#include "level_points.hpp"
+#include "berm/geometry/bearing_grid.hpp"
+#include "berm/geometry/level_points.hpp"
+#include "berm/geometry/traces.hpp"
 #include "own_edges.hpp"
 #include "ring_numbers.hpp"
 #include "road_toes.hpp"
-#include "traces.hpp"
 
 namespace berm {
 namespace {

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "bearing_grid.hpp"
 #include "berm/core/label.hpp"
+#include "berm/geometry/bearing_grid.hpp"
+#include "berm/geometry/level_points.hpp"
 #include "berm/piste/boundary_piste.hpp"
-#include "level_points.hpp"
 #include "piste_surface.hpp"
 #include "trace_windows.hpp"
 

@@ -10,13 +10,13 @@
 
 #include <Eigen/Geometry>
 
-#include "bearing_grid.hpp"
+#include "berm/geometry/bearing_grid.hpp"
+#include "berm/geometry/level_points.hpp"
+#include "berm/geometry/traces.hpp"
 #include "boundary_evidence.hpp"
 #include "boundary_seam.hpp"
-#include "level_points.hpp"
 #include "piste_surface.hpp"
 #include "trace_windows.hpp"
-#include "traces.hpp"
 #include "way_ahead.hpp"
 
 namespace berm {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "bearing_grid.hpp"
+#include "berm/geometry/bearing_grid.hpp"
 
 namespace berm {
 

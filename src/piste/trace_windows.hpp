@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "traces.hpp"
+#include "berm/geometry/traces.hpp"
 
 namespace berm {
 

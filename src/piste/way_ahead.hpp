@@ -6,8 +6,8 @@
 
 #include "berm/core/label.hpp"
 #include "berm/core/pose.hpp"
+#include "berm/geometry/level_points.hpp"
 #include "berm/piste/boundary_piste.hpp"
-#include "level_points.hpp"
 #include "piste_surface.hpp"
 
 namespace berm {

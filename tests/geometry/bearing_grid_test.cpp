@@ -1,4 +1,4 @@
-#include "bearing_grid.hpp"
+#include "berm/geometry/bearing_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "traces.hpp"
+#include "berm/geometry/traces.hpp"
 
 #include <algorithm>
 #include <cmath>

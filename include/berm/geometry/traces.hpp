@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "bearing_grid.hpp"
 #include "berm/core/label.hpp"
 #include "berm/core/point_cloud.hpp"
-#include "level_points.hpp"
+#include "berm/geometry/bearing_grid.hpp"
+#include "berm/geometry/level_points.hpp"
 
-namespace berm::edge {
+namespace berm {
 
 /// How neighbours on the ground were found.
 enum class TraceKind {
@@ -55,10 +55,4 @@ class TraceFinder {
   std::vector<std::uint32_t> starts_;
 };
 
-}  // namespace berm::edge
-
-namespace berm {
-using edge::TraceFinder;
-using edge::TraceKind;
-using edge::Traces;
 }  // namespace berm

@@ -10,8 +10,8 @@
 
 namespace berm::bearing_grid {
 
-/// The boundary of a piste is looked for on a grid of bearings times logarithms of range: cells of it look alike near
-/// and far, and a straight boundary is a smooth line in it.
+/// Places around a machine on a grid of bearings times logarithms of range: its cells look alike near and far, and a
+/// straight line is a smooth one in it.
 inline constexpr int kSectors = 180;
 inline constexpr int kBins = 100;
 inline constexpr float kFirstRange_m = 2.0F;

@@ -1,13 +1,13 @@
-#include "level_points.hpp"
+#include "berm/geometry/level_points.hpp"
 
 #include <cstddef>
 
 #include <Eigen/Geometry>
 
-#include "bearing_grid.hpp"
 #include "berm/core/multiversion.hpp"
+#include "berm/geometry/bearing_grid.hpp"
 
-namespace berm::edge {
+namespace berm {
 namespace {
 
 BERM_MULTIVERSION void turn_points(const PointsView& points, const Eigen::Matrix3f& r, const Eigen::Vector3f& t,
@@ -48,4 +48,4 @@ void LevelPoints::fill(const PointsView& points, const Pose& T_level_sensor) {
               T_level_sensor.translation_m().cast<float>(), *this);
 }
 
-}  // namespace berm::edge
+}  // namespace berm

@@ -1,4 +1,4 @@
-#include "level_points.hpp"
+#include "berm/geometry/level_points.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "bearing_grid.hpp"
+#include "berm/geometry/bearing_grid.hpp"
 #include "support/random_points.hpp"
 
 namespace berm {
