@@ -38,17 +38,46 @@ std::vector<Scan> make_scans(const std::string& scenario_name, const std::string
   return scans;
 }
 
-const std::vector<Scan>& scans_of(const std::string& scenario, const std::string& sensor) {
+void append(PointChannels& to, const PointsView& from) {
+  to.x.insert(to.x.end(), from.x.begin(), from.x.end());
+  to.y.insert(to.y.end(), from.y.begin(), from.y.end());
+  to.z.insert(to.z.end(), from.z.begin(), from.z.end());
+  to.intensity.insert(to.intensity.end(), from.intensity.begin(), from.intensity.end());
+  to.time.insert(to.time.end(), from.time.begin(), from.time.end());
+}
+
+/// One scan of as many points as `copies` scans have: what a sensor of that many more beams would send.
+Scan join(const std::vector<Scan>& scans, std::size_t copies) {
+  PointChannels channels;
+  for (std::size_t i = 0; i < copies; ++i) {
+    append(channels, scans[i % scans.size()].cloud.view());
+  }
+  Scan joined;
+  joined.T_base_sensor = scans.front().T_base_sensor;
+  joined.cloud = PointCloud(std::move(channels));
+  return joined;
+}
+
+/// `copies`: 1 for the scans as they are, more for one that joins so many.
+const std::vector<Scan>& scans_of(const std::string& scenario, const std::string& sensor, std::size_t copies) {
   static std::map<std::string, std::vector<Scan>> made;
-  const std::string key = scenario + "/" + sensor;
-  const auto found = made.find(key);
-  return found != made.end() ? found->second : made.emplace(key, make_scans(scenario, sensor)).first->second;
+  const std::string key = scenario + "/" + sensor + "/" + std::to_string(copies);
+  if (const auto found = made.find(key); found != made.end()) {
+    return found->second;
+  }
+  std::vector<Scan> scans = make_scans(scenario, sensor);
+  if (copies > 1) {
+    Scan joined = join(scans, copies);
+    scans.clear();
+    scans.push_back(std::move(joined));
+  }
+  return made.emplace(key, std::move(scans)).first->second;
 }
 
 /// What each stage of the chain takes, one scan after the other; stages that come before are done outside the clock.
 void run_stage(benchmark::State& state, const std::string& method, const std::string& stage,
-               const std::string& scenario, const std::string& sensor) {
-  const std::vector<Scan>& scans = scans_of(scenario, sensor);
+               const std::string& scenario, const std::string& sensor, std::size_t copies) {
+  const std::vector<Scan>& scans = scans_of(scenario, sensor, copies);
   Machine machine;
   machine.methods.snow = machine.methods.piste = method;
   const auto snow = make_snow(machine);
@@ -100,7 +129,7 @@ void run_stage(benchmark::State& state, const std::string& method, const std::st
 /// Snow, ground and piste together.
 void run_chain(benchmark::State& state, const std::string& method, const std::string& scenario,
                const std::string& sensor) {
-  const std::vector<Scan>& scans = scans_of(scenario, sensor);
+  const std::vector<Scan>& scans = scans_of(scenario, sensor, 1);
   Machine machine;
   machine.methods.snow = machine.methods.piste = method;
   Pipeline pipeline(machine);
@@ -117,7 +146,7 @@ const bool kRegistered = [] {
       const std::string place = method + "/" + scenario + "/" + sensor;
       for (const std::string stage : {"snow", "piste"}) {
         benchmark::RegisterBenchmark(("groomer/" + stage + "/" + place).c_str(), run_stage, method, stage, scenario,
-                                     sensor)
+                                     sensor, std::size_t{1})
             ->Unit(benchmark::kMicrosecond);
       }
       benchmark::RegisterBenchmark(("groomer/chain/" + place).c_str(), run_chain, method, scenario, sensor)
@@ -128,6 +157,16 @@ const bool kRegistered = [] {
   add("groomer_snowfall", "livox_mid70");
   add("groomer_night_storm", "livox_mid70");
   add("groomer_clear", "hdl64e");
+  for (const std::size_t copies : {std::size_t{10}, std::size_t{100}}) {
+    for (const std::string method : {"default", "reference"}) {
+      for (const std::string stage : {"snow", "piste"}) {
+        const std::string name =
+            "groomer/" + stage + "/" + method + "/groomer_snowfall/" + std::to_string(copies) + "x";
+        benchmark::RegisterBenchmark(name.c_str(), run_stage, method, stage, "groomer_snowfall", "livox_mid70", copies)
+            ->Unit(benchmark::kMicrosecond);
+      }
+    }
+  }
   return true;
 }();
 
