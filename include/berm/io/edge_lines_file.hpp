@@ -11,9 +11,9 @@
 namespace berm {
 
 /// Reads the edges.csv of a run: the header `line,side,x,y,z,confidence`, then a vertex a line. A line ends where the
-/// number changes; numbers rise. Throws FileError with the number of the line: another header, a number that is no whole
-/// one or falls, a side that changes within a line, a coordinate beyond
-/// `kMaxCoordinate_m`, a confidence outside of 0..1, a line of one vertex; also if the file is not there or unreadable.
+/// number changes; numbers rise. Throws FileError with the number of the line: another header, a number that is no
+/// whole one or falls, a side that changes within a line, a coordinate beyond `kMaxCoordinate_m`, a confidence outside
+/// of 0..1, a line of one vertex; also if the file is not there or unreadable.
 [[nodiscard]] std::vector<EdgeLine> read_edge_lines(const std::filesystem::path& path);
 
 /// The same from a stream; `name` stands for the file in errors.
