@@ -9,3 +9,11 @@ function(berm_test name)
   # Values would be bytes of memory where a parameter has no printer, others in every run.
   gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()
+
+# For folders whose tests make worlds and scans by the million points: unlike other tests they run longer than they
+# compile, so sanitizers get them with some optimisation.
+macro(berm_heavy_tests)
+  if(BERM_SANITIZE)
+    add_compile_options(-O1)
+  endif()
+endmacro()
