@@ -37,7 +37,7 @@ struct RingEdgesConfig {
   void check() const;
 };
 
-/// Road edges as document E finds them (`--method edge=reference`).
+/// Road edges as document E finds them.
 class RingEdges final : public EdgeDetector {
  public:
   /// Throws ConfigError as `RingEdgesConfig::check`.

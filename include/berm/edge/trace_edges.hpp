@@ -33,7 +33,7 @@ struct TraceEdgesConfig {
   void check() const { check_fields(*this, "edge"); }
 };
 
-/// The default edge method (`--method edge=default`): follows the traces that the beams draw on the ground. A road is
+/// The default edge method: follows the traces that the beams draw on the ground. A road is
 /// smooth along them; where a berm begins they turn up, and the toe lies where the line of the road and the line of the
 /// flank meet. Works for rings, for a rosette and for lasers that take turns; without any order on the profiles
 /// outward from the sensor.
