@@ -72,20 +72,6 @@ std::vector<Method> kerb_methods() {
           trace_edges("default, min_height_m 0.06, flank_m 1", street)};
 }
 
-Label to_label(GroundClass ground) {
-  switch (ground) {
-    case GroundClass::ground:
-      return Label::drivable;
-    case GroundClass::not_ground:
-      return Label::obstacle;
-    case GroundClass::no_return:
-      return Label::no_return;
-    case GroundClass::invalid:
-      break;
-  }
-  return Label::unlabeled;
-}
-
 RoadTruth read_truth(const Recording& recording) {
   RoadTruth truth;
   truth.edges = read_edges(recording.path() / "edges.csv");
@@ -104,7 +90,7 @@ class Ground {
     const GroundResult result = ground_.process(scan.cloud.view(), scan.T_base_sensor);
     labels_.clear();
     for (const GroundClass one : result.classes) {
-      labels_.push_back(to_label(one));
+      labels_.push_back(label_of(one));
     }
     return {
         .points = scan.cloud.view(), .labels = labels_, .surface = result.surface, .T_base_sensor = scan.T_base_sensor};

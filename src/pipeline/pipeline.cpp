@@ -14,20 +14,6 @@
 namespace berm {
 namespace {
 
-Label to_label(GroundClass ground) {
-  switch (ground) {
-    case GroundClass::ground:
-      return Label::drivable;
-    case GroundClass::not_ground:
-      return Label::obstacle;
-    case GroundClass::no_return:
-      return Label::no_return;
-    case GroundClass::invalid:
-      break;
-  }
-  return Label::unlabeled;
-}
-
 /// A copy in `memory` with 0 for every flake.
 std::span<const float> blank_flakes(std::span<const float> values, std::span<const std::uint8_t> falling,
                                     std::vector<float>& memory) {
@@ -107,7 +93,7 @@ PointsView Pipeline::without_flakes(const PointsView& points, const SnowResult& 
 
 void Pipeline::label(const GroundResult& ground, const SnowResult& snow) {
   labels_.resize(ground.classes.size());
-  std::transform(ground.classes.begin(), ground.classes.end(), labels_.begin(), to_label);
+  std::transform(ground.classes.begin(), ground.classes.end(), labels_.begin(), label_of);
   if (snow.count > 0) {
     std::transform(labels_.begin(), labels_.end(), snow.falling.begin(), labels_.begin(),
                    [](Label label, std::uint8_t flake) { return flake != 0 ? Label::falling_snow : label; });

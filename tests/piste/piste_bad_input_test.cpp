@@ -51,7 +51,7 @@ class Earlier {
     const GroundResult ground = ground_->process(without_flakes(points, snow), T_base_sensor);
     labels_.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
-      labels_.push_back(snow.falling[i] != 0 ? Label::falling_snow : to_label(ground.classes[i]));
+      labels_.push_back(snow.falling[i] != 0 ? Label::falling_snow : label_of(ground.classes[i]));
     }
     return {.points = points,
             .labels = labels_,
@@ -61,20 +61,6 @@ class Earlier {
   }
 
  private:
-  static Label to_label(GroundClass ground) {
-    switch (ground) {
-      case GroundClass::ground:
-        return Label::drivable;
-      case GroundClass::not_ground:
-        return Label::obstacle;
-      case GroundClass::no_return:
-        return Label::no_return;
-      case GroundClass::invalid:
-        break;
-    }
-    return Label::unlabeled;
-  }
-
   PointsView without_flakes(const PointsView& points, const SnowResult& snow) {
     kept_x_.assign(points.x.begin(), points.x.end());
     kept_y_.assign(points.y.begin(), points.y.end());

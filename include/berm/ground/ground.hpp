@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "berm/core/label.hpp"
 #include "berm/core/point_cloud.hpp"
 #include "berm/core/pose.hpp"
 #include "berm/geometry/height_grid.hpp"
@@ -17,6 +18,21 @@ enum class GroundClass : std::uint8_t {
   no_return,  ///< see `is_no_return`
   invalid,    ///< NaN or absurdly far: counted, never used
 };
+
+/// Ground is drivable until a later stage says otherwise, what stands on it an obstacle.
+[[nodiscard]] constexpr Label label_of(GroundClass ground) {
+  switch (ground) {
+    case GroundClass::ground:
+      return Label::drivable;
+    case GroundClass::not_ground:
+      return Label::obstacle;
+    case GroundClass::no_return:
+      return Label::no_return;
+    case GroundClass::invalid:
+      break;
+  }
+  return Label::unlabeled;
+}
 
 struct GroundCounts {
   std::size_t ground = 0;
