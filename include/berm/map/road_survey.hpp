@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "berm/core/config.hpp"
+#include "berm/core/edge.hpp"
+#include "berm/core/road.hpp"
+#include "berm/core/trajectory.hpp"
+
+namespace berm {
+
+/// Settings of the survey of a haul road, and the rules that it has to keep.
+struct RoadConfig {
+  double spacing_m = 1.0;
+  double reach_m = 30.0;
+  double vehicle_width_m = 0.0;
+  double min_width_vehicles = 3.5;
+  double tyre_height_m = 0.0;
+  double min_berm_tyres = 0.5;
+  double max_grade_percent = 10.0;
+
+  static void fields(auto&& field) {
+    field("spacing_m", &RoadConfig::spacing_m, Range{0.2, 100.0}, "between stations along the driven path");
+    field("reach_m", &RoadConfig::reach_m, Range{2.0, 100.0}, "edges are looked for this far to either side");
+    field("vehicle_width_m", &RoadConfig::vehicle_width_m, Range{0.0, 20.0},
+          "of the widest truck on the road; 0: unknown, the width is not judged");
+    field("min_width_vehicles", &RoadConfig::min_width_vehicles, Range{1.0, 10.0},
+          "least width of the road in widths of that truck: 3.5 for two lanes, 2 for one");
+    field("tyre_height_m", &RoadConfig::tyre_height_m, Range{0.0, 6.0},
+          "outer diameter of the largest tyre; 0: unknown, berms are not judged");
+    field("min_berm_tyres", &RoadConfig::min_berm_tyres, Range{0.1, 3.0},
+          "least height of a berm in heights of that tyre");
+    field("max_grade_percent", &RoadConfig::max_grade_percent, Range{0.5, 50.0}, "steepest grade that is allowed");
+  }
+  void check() const { check_fields(*this, "road"); }
+};
+
+/// An edge point of one scan in the world frame, with the berm that rises from it.
+struct SurveyedEdge {
+  Eigen::Vector3d position_m;
+  float height_m = 0.0F;  ///< 0: not seen to its top
+  float width_m = 0.0F;   ///< 0: unknown
+};
+
+/// Measures a road along the path that was driven: what scans saw of ground and berms is gathered at the stations of
+/// the path, in memory that grows with the length of the path and not with time. Scans in the same order, same result.
+class RoadSurvey {
+ public:
+  /// Stations lie on `path`, T_world_base, every `spacing_m`; where the machine stood there is one. Throws ConfigError
+  /// as `RoadConfig::check`.
+  RoadSurvey(const RoadConfig& config, const Trajectory& path);
+  ~RoadSurvey();
+  RoadSurvey(RoadSurvey&&) noexcept;
+  RoadSurvey& operator=(RoadSurvey&&) noexcept;
+
+  /// `ground_m`: points of drivable ground, world frame. Points that are not finite are left out.
+  void add_scan(std::span<const SurveyedEdge> edges, std::span<const Eigen::Vector3d> ground_m);
+
+  /// The road as it is known by now, with the edges of the map.
+  [[nodiscard]] std::vector<RoadStation> stations(std::span<const EdgeLine> lines) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace berm
