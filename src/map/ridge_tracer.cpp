@@ -171,6 +171,9 @@ RidgeTracer::End RidgeTracer::walk(const Ridge& start, std::int32_t step_sign, s
   while (!places.empty() && places.back().ridge.ahead_m < -0.5 * kTraceStep_m) {
     places.pop_back();
   }
+  if (!places.empty() && places.back().ridge.ahead_m < 0.0) {
+    places.back().ridge = advance(places.back().ridge, places.back().ridge.ahead_m);
+  }
   return End::faded;
 }
 
