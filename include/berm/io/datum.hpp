@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -20,6 +21,13 @@ struct Geodetic {
   double lon_deg = 0.0;
   double h_m = 0.0;
 };
+
+/// The name of the world of a datum, as an edge map carries it: one line of ASCII that `datum_of` brings back to the
+/// last bit; empty without a datum. Throws Error(invalid_argument) for what is no place, as LocalFrame.
+[[nodiscard]] std::string world_name(const std::optional<Geodetic>& datum);
+
+/// The datum that a world is named after; none where the name is of another kind.
+[[nodiscard]] std::optional<Geodetic> datum_of(std::string_view world_name);
 
 /// Where the world frame lies on the earth.
 struct DatumConfig {
