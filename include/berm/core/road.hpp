@@ -24,14 +24,15 @@ enum class RuleVerdict : std::uint8_t {
 /// One side of the road at a station.
 struct RoadSide {
   std::optional<Measure> edge_m;         ///< horizontally from the path to the edge
-  std::optional<Measure> berm_height_m;  ///< above the road at its toe
+  std::optional<Measure> berm_height_m;  ///< above the road at its toe; 0 where the road ends in a drop
   std::optional<Measure> berm_width_m;   ///< from toe to toe, or as far as was seen
   RuleVerdict berm_rule = RuleVerdict::unknown;
 };
 
 /// What a road is like at one place of the path that was driven. Left and right are those of who drives it this way.
 struct RoadStation {
-  double chainage_m = 0.0;                               ///< along the driven path, horizontally
+  std::uint32_t piece = 0;                               ///< stretch of path without a jump or a change of direction
+  double chainage_m = 0.0;                               ///< along all that was driven, horizontally; never falls
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< on the path, world frame
   double heading_rad = 0.0;                              ///< from x of the world to the left
   RoadSide left;

@@ -9,7 +9,9 @@
 
 #include "berm/core/config.hpp"
 #include "berm/core/edge.hpp"
+#include "berm/core/pose_guard.hpp"
 #include "berm/core/road.hpp"
+#include "berm/core/stamp.hpp"
 #include "berm/core/trajectory.hpp"
 
 namespace berm {
@@ -43,26 +45,38 @@ struct RoadConfig {
 /// An edge point of one scan in the world frame, with the berm that rises from it.
 struct SurveyedEdge {
   Eigen::Vector3d position_m;
-  float height_m = 0.0F;  ///< 0: not seen to its top
-  float width_m = 0.0F;   ///< 0: unknown
+  float height_m = 0.0F;           ///< 0: not seen to its top
+  float width_m = 0.0F;            ///< 0: unknown
+  EdgeKind kind = EdgeKind::rise;  ///< at a drop there is no berm
 };
 
 /// Measures a road along the path that was driven: what scans saw of ground and berms is gathered at the stations of
-/// the path, in memory that grows with the length of the path and not with time. Scans in the same order, same result.
+/// the path, in memory that grows with the length of the path and not with time.
+///
+/// Stations lie every `spacing_m` along the path. Where the path jumps, where it was not known while the machine moved,
+/// and where the machine turns to drive back, one piece of the path ends and the next begins; pieces shorter than 2 m
+/// have no stations, unless there is nothing else. A road that is driven twice has stations of both passes. A scan
+/// counts for the pass that it was taken on, and no other: poses of different passes differ by their drift, so that
+/// each pass is a measurement of its own, and a scan costs the same on the hundredth lap.
 class RoadSurvey {
  public:
-  /// Stations lie on `path`, T_world_base, every `spacing_m`; where the machine stood there is one. Throws ConfigError
-  /// as `RoadConfig::check`.
-  RoadSurvey(const RoadConfig& config, const Trajectory& path);
+  /// `path`: T_world_base. Poses that `guard` does not trust are left out. Throws ConfigError as `RoadConfig::check`
+  /// and `PoseGuardConfig::check`.
+  RoadSurvey(const RoadConfig& config, const Trajectory& path, const PoseGuardConfig& guard = {});
   ~RoadSurvey();
   RoadSurvey(RoadSurvey&&) noexcept;
   RoadSurvey& operator=(RoadSurvey&&) noexcept;
 
-  /// `ground_m`: points of drivable ground, world frame. Points that are not finite are left out.
-  void add_scan(std::span<const SurveyedEdge> edges, std::span<const Eigen::Vector3d> ground_m);
+  /// `stamp_ns`: of the scan. `ground_m`: points of drivable ground, world frame. What is not finite or farther than
+  /// 40 m from the machine is left out. Scans in the same order, same result.
+  void add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges, std::span<const Eigen::Vector3d> ground_m);
 
-  /// The road as it is known by now, with the edges of the map.
+  /// The road as it is known by now, with the edges of the map. Which edge is left and which is right follows from the
+  /// path alone.
   [[nodiscard]] std::vector<RoadStation> stations(std::span<const EdgeLine> lines) const;
+
+  /// Memory that the survey holds.
+  [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
   struct State;
