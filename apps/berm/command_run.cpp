@@ -24,9 +24,11 @@ constexpr const char* kExamples = R"(Examples:
   berm run recording --machine car -o out
   berm run recording -m groomer -o out --method piste=reference --method snow=reference
   berm run recording -m my_truck.yaml -o out --set mount.height_m=3.8 --first 100 --count 50
+  berm run recording -m haul_truck -o out --poses ins.nmea --map yesterday/edges.ot
 
 Writes out/labels/NAME.label for every scan, out/scans.csv with a line for each, out/boundary.csv with a piste method,
-out/trajectory.tum if the recording brings poses, and out/run.json last.
+out/edge_points.csv with an edge method, out/trajectory.tum if there are poses, and out/run.json last. With an edge
+method and poses also the map of the road edges, out/edges.ot, and its lines, out/edges.csv, .geojson, .gpkg, .dxf.
 Ends with 0 if everything was done, 3 if scans were skipped (run.json says which and why), 1 if it failed, 2 for wrong usage.)";
 
 struct RunCommand {
@@ -107,6 +109,11 @@ void add_run(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   auto* count = sub->add_option("--count", command->count, "Number of scans, else all")->check(CLI::PositiveNumber);
+  sub->add_option("--poses", options.poses,
+                  "Poses of the machine instead of those of the recording: .tum, .csv, .nmea, or KITTI's poses.txt")
+      ->type_name("FILE");
+  sub->add_option("--map", options.map, "Map of the road edges, edges.ot of an earlier run, that this one continues")
+      ->type_name("FILE");
   command->console.add_options(*sub);
   sub->callback([command, count, &exit_code] {
     if (count->count() > 0) {

@@ -22,7 +22,7 @@ void MachineOption::add_positional(CLI::App& command) {
 void MachineOption::add_changes(CLI::App& command) {
   command
       .add_option("--method", methods_,
-                  "Method of a stage (snow, ground, piste): default or reference; none leaves snow or piste out")
+                  "Method of a stage (snow, ground, piste, edge): default or reference; none leaves any but ground out")
       ->type_name("STAGE=NAME")
       ->allow_extra_args(false);
   command.add_option("--set", values_, "Another value for a key of the machine, as often as needed")

@@ -94,21 +94,31 @@ void Recording::read(std::size_t index, Scan& scan) const {
 }
 
 std::optional<GivenPoses> Recording::read_given_poses() const {
-  if (!given_poses_file_) {
-    return std::nullopt;
+  if (gnss_file_) {
+    return read_tum_poses(*gnss_file_);
   }
+  return camera_poses_file_ ? std::optional(read_camera_poses(*camera_poses_file_)) : std::nullopt;
+}
+
+GivenPoses Recording::read_tum_poses(const fs::path& file) {
+  return {.trajectory = read_tum(file), .of = PoseOf::base, .file = file};
+}
+
+GivenPoses Recording::read_camera_poses(const fs::path& file) const {
   if (!calibration_file_) {
-    return GivenPoses{.trajectory = read_tum(*given_poses_file_), .of = PoseOf::base, .file = *given_poses_file_};
+    throw FileError(ErrorCode::not_found, file.string(), std::nullopt,
+                    "holds poses as KITTI has them, in the frame of the left camera; the recording has no calib.txt "
+                    "that leads from there to the LiDAR");
   }
-  const std::vector<Pose> poses = read_kitti_poses(*given_poses_file_);
+  const std::vector<Pose> poses = read_kitti_poses(file);
   const auto lines = match_lines(names_, poses.size());
   if (!lines) {
-    throw FileError(ErrorCode::malformed, given_poses_file_->string(), std::nullopt,
+    throw FileError(ErrorCode::malformed, file.string(), std::nullopt,
                     describe_line_mismatch(names_, poses.size(), "poses"));
   }
-  return GivenPoses{.trajectory = to_lidar(poses, read_kitti_calibration(*calibration_file_), *lines, stamps_ns_),
-                    .of = PoseOf::sensor,
-                    .file = *given_poses_file_};
+  return {.trajectory = to_lidar(poses, read_kitti_calibration(*calibration_file_), *lines, stamps_ns_),
+          .of = PoseOf::sensor,
+          .file = file};
 }
 
 std::optional<Trajectory> Recording::read_truth_poses() const {

@@ -166,18 +166,27 @@ void RecordingOpener::read_sheet() {
 
 void RecordingOpener::find_poses() {
   recording_.truth_poses_file_ = sidecar("truth.tum");
-  const auto gnss = sidecar("gnss.tum");
-  const auto kitti = sidecar("poses.txt");
-  const auto calibration = sidecar("calib.txt");
-  if (gnss) {
-    recording_.given_poses_file_ = gnss;
-    if (kitti) {
-      note("gnss.tum and poses.txt are both there: gnss.tum is used");
+  recording_.calibration_file_ = sidecar("calib.txt");
+  std::vector<std::string> found;
+  for (const char* name : {"gnss.tum", "gnss.csv", "gnss.nmea", "poses.txt"}) {
+    if (sidecar(name)) {
+      found.emplace_back(name);
     }
-  } else if (kitti && calibration) {
-    recording_.given_poses_file_ = kitti;
-    recording_.calibration_file_ = calibration;
-  } else if (kitti) {
+  }
+  if (found.empty()) {
+    return;
+  }
+  if (found.size() > 1) {
+    note(found[0] + " and " + found[1] + " are both there: " + found[0] + " is used");
+  }
+  const fs::path file = path_ / found[0];
+  if (found[0] == "gnss.tum") {
+    recording_.gnss_file_ = file;
+  } else if (found[0] != "poses.txt") {
+    recording_.pose_log_file_ = file;
+  } else if (recording_.calibration_file_) {
+    recording_.camera_poses_file_ = file;
+  } else {
     note(
         "poses.txt is not used: it is in the frame of the left camera, and no calib.txt leads from there to the LiDAR");
   }

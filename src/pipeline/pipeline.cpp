@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "berm/edge/ring_edges.hpp"
+#include "berm/edge/trace_edges.hpp"
 #include "berm/ground/polar_ground.hpp"
 #include "berm/ground/terrain_ground.hpp"
 #include "berm/piste/boundary_piste.hpp"
@@ -41,6 +43,8 @@ std::string_view to_string(Stage stage) {
       return "repair";
     case Stage::piste:
       return "piste";
+    case Stage::edge:
+      return "edge";
     case Stage::check:
       break;
   }
@@ -77,8 +81,22 @@ std::unique_ptr<PisteSegmenter> make_piste(const Machine& machine) {
   return std::make_unique<BoundaryPiste>(machine.piste);
 }
 
+std::unique_ptr<EdgeDetector> make_edge(const Machine& machine) {
+  machine.methods.check();
+  if (machine.methods.edge == "none") {
+    return nullptr;
+  }
+  if (machine.methods.edge == "reference") {
+    return std::make_unique<RingEdges>(machine.edge_reference);
+  }
+  return std::make_unique<TraceEdges>(machine.edge);
+}
+
 Pipeline::Pipeline(const Machine& machine)
-    : snow_(make_snow(machine)), ground_(make_ground(machine)), piste_(make_piste(machine)) {}
+    : snow_(make_snow(machine)),
+      ground_(make_ground(machine)),
+      piste_(make_piste(machine)),
+      edge_(make_edge(machine)) {}
 
 PointsView Pipeline::without_flakes(const PointsView& points, const SnowResult& snow) {
   if (snow.count == 0) {
@@ -134,6 +152,12 @@ ScanResult Pipeline::process(const Scan& scan, const StageListener& on_done) {
                                     .T_base_sensor = scan.T_base_sensor});
     result.labels = result.piste.labels;
     done(Stage::piste);
+  }
+
+  if (edge_) {
+    result.edge = edge_->process(
+        {.points = points, .labels = labels_, .surface = ground.surface, .T_base_sensor = scan.T_base_sensor});
+    done(Stage::edge);
   }
 
   result.counts = count_labels(result.labels);

@@ -19,6 +19,7 @@
 #include "berm/io/output_folder.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "berm/pipeline/pipeline.hpp"
+#include "run_edges.hpp"
 #include "run_report.hpp"
 #include "scan_table.hpp"
 #include "stage_times.hpp"
@@ -36,10 +37,13 @@ struct Job {
   ScanFigures figures;
   std::vector<BoundaryPoint> left;
   std::vector<BoundaryPoint> right;
+  std::vector<EdgePoint> edges;
+  PlacedScan placed;
   MountCheckResult mount;
   std::optional<std::string> failure;
   StageTime read;
   std::array<std::optional<StageTime>, kStages> stages;
+  StageTime map;
 };
 
 double to_degrees(double angle_rad) {
@@ -63,12 +67,12 @@ class Run {
         machine_(machine),
         options_(options),
         threads_(std::max<std::size_t>(1, options.threads)),
-        T_base_sensor_(machine.mount.T_base_sensor()) {
+        T_base_sensor_(machine.mount.T_base_sensor()),
+        edges_(recording, machine, options, selected_count(recording, options)) {
     summary_.counts.selected = selected_count(recording, options);
     summary_.notes = recording.notes();
     summary_.notes.insert(summary_.notes.end(), options.notes.begin(), options.notes.end());
     note_rate();
-    given_poses_ = recording.read_given_poses();
     for (std::size_t worker = 0; worker < threads_; ++worker) {
       pipelines_.push_back(std::make_unique<Pipeline>(machine));
     }
@@ -78,10 +82,7 @@ class Run {
     OutputFolder output(options_.output, options_.force, run_results(), recording_.path());
     output_ = &output;
     const StageClock clock;
-    scan_table_.emplace(output / "scans.csv");
-    if (machine_.methods.piste != "none") {
-      boundary_table_.emplace(output / "boundary.csv");
-    }
+    open_tables(output);
     const Tables tables{*this};
     process_scans();
     if (summary_.interrupted) {
@@ -91,19 +92,10 @@ class Run {
       throw Error(ErrorCode::malformed, fmt::format("no scan of {} could be read; the first: {}",
                                                     recording_.path().string(), summary_.skipped.front().reason));
     }
-    const bool has_trajectory = given_poses_ && !given_poses_->trajectory.empty();
-    if (has_trajectory) {
-      write_tum(output / "trajectory.tum", trajectory_);
-      note_missing_poses();
-    }
-    scan_table_->commit();
-    if (boundary_table_) {
-      boundary_table_->commit();
-    }
+    const RunFiles files = write_files(output);
     summary_.mount = mount_.summarize();
     note_mount();
     times_.wall_s = clock.stop().wall_ms * 1e-3;
-    const RunFiles files{.boundary = boundary_table_.has_value(), .trajectory = has_trajectory};
     write_file_atomically(output / "run.json",
                           write_run_report(recording_, machine_, options_, summary_, times_, files));
     output.finish();
@@ -117,8 +109,41 @@ class Run {
     ~Tables() {
       self.scan_table_.reset();
       self.boundary_table_.reset();
+      self.edge_table_.reset();
     }
   };
+
+  void open_tables(const OutputFolder& output) {
+    scan_table_.emplace(output / "scans.csv");
+    if (machine_.methods.piste != "none") {
+      boundary_table_.emplace(output / "boundary.csv");
+    }
+    if (machine_.methods.edge != "none") {
+      edge_table_.emplace(output / "edge_points.csv");
+      summary_.edges.emplace();
+    }
+  }
+
+  /// All but run.json.
+  RunFiles write_files(const OutputFolder& output) {
+    RunFiles files = {{"labels", "labels"}, {"scans", "scans.csv"}};
+    if (edges_.poses() && !edges_.poses()->trajectory.empty()) {
+      write_tum(output / "trajectory.tum", trajectory_);
+      files.emplace_back("trajectory", "trajectory.tum");
+      note_missing_poses();
+    }
+    edges_.finish(output, files, summary_);
+    scan_table_->commit();
+    if (boundary_table_) {
+      boundary_table_->commit();
+      files.emplace_back("boundary", "boundary.csv");
+    }
+    if (edge_table_) {
+      edge_table_->commit();
+      files.emplace_back("edge_points", "edge_points.csv");
+    }
+    return files;
+  }
 
   void process_scans() {
     OrderedParallel<Job> work(
@@ -149,8 +174,14 @@ class Run {
     job.labels.assign(result.labels.begin(), result.labels.end());
     job.left.assign(result.piste.left.begin(), result.piste.left.end());
     job.right.assign(result.piste.right.begin(), result.piste.right.end());
-    job.figures = figures_of(result);
+    job.edges.assign(result.edge.edges.begin(), result.edge.edges.end());
+    job.figures = figures_of(result, T_base_sensor_);
     job.mount = result.mount;
+    if (edges_.has_map()) {
+      const StageClock map_clock;
+      edges_.place(job.scan, result.edge, job.placed);
+      job.map = map_clock.stop();
+    }
   }
 
   /// Runs on the calling thread, scan after scan.
@@ -165,8 +196,12 @@ class Run {
       if (boundary_table_) {
         boundary_table_->add(name, job.left, job.right);
       }
+      if (edge_table_) {
+        edge_table_->add(name, job.edges, T_base_sensor_);
+      }
       times_.write.add(clock.stop());
       times_.read.add(job.read);
+      add_to_map(job);
       add_stage_times(job);
       count(job);
       mount_.add(job.mount);
@@ -202,6 +237,18 @@ class Run {
     }
   }
 
+  void add_to_map(const Job& job) {
+    if (summary_.edges) {
+      summary_.edges->points += job.edges.size();
+    }
+    if (edges_.has_map()) {
+      const StageClock clock;
+      edges_.add(job.placed);
+      const StageTime time = clock.stop();
+      times_.map.add({job.map.wall_ms + time.wall_ms, job.map.cpu_ms + time.cpu_ms});
+    }
+  }
+
   void add_stage_times(const Job& job) {
     for (std::size_t stage = 0; stage < kStages; ++stage) {
       if (job.stages[stage]) {
@@ -211,24 +258,23 @@ class Run {
   }
 
   void add_pose(Stamp stamp_ns) {
-    if (!given_poses_) {
+    if (!edges_.poses()) {
       return;
     }
     const bool in_order = trajectory_.empty() || stamp_ns > trajectory_.poses().back().stamp_ns;
-    const auto pose = given_poses_->trajectory.at(stamp_ns);
+    const auto pose = edges_.poses()->trajectory.at(stamp_ns);
     if (!pose || !in_order) {
       ++summary_.counts.without_pose;
       return;
     }
-    const bool of_sensor = given_poses_->of == PoseOf::sensor;
-    trajectory_.append(stamp_ns, of_sensor ? *pose * T_base_sensor_.inverse() : *pose);
+    trajectory_.append(stamp_ns, *pose);
   }
 
   void note_missing_poses() {
     if (summary_.counts.without_pose > 0) {
       summary_.notes.push_back(fmt::format(
           "{} scans have no line in trajectory.tum: {} holds no pose for their stamps, or the stamps run backwards",
-          summary_.counts.without_pose, given_poses_->file.filename().string()));
+          summary_.counts.without_pose, edges_.poses()->file.filename().string()));
     }
   }
 
@@ -261,11 +307,12 @@ class Run {
   const RunOptions& options_;
   std::size_t threads_;
   Pose T_base_sensor_;
-  std::optional<GivenPoses> given_poses_;
+  RunEdges edges_;
   std::vector<std::unique_ptr<Pipeline>> pipelines_;
   OutputFolder* output_ = nullptr;
   std::optional<ScanTable> scan_table_;
   std::optional<BoundaryTable> boundary_table_;
+  std::optional<EdgePointTable> edge_table_;
   MountStatistics mount_;
   Trajectory trajectory_;
   RunTimes times_;

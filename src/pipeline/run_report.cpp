@@ -1,5 +1,6 @@
 #include "run_report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -71,12 +72,79 @@ Json describe(const MountSummary& mount) {
   return json;
 }
 
+/// Whole milliseconds, or millimetres.
+double thousandths(double value) {
+  return std::round(value * 1e3) / 1e3;
+}
+
+Json describe(const PoseLogCounts& counts) {
+  return {{"records", counts.records},      {"bad_checksum", counts.bad_checksum}, {"malformed", counts.malformed},
+          {"no_fix", counts.no_fix},        {"poor_fix", counts.poor_fix},         {"no_attitude", counts.no_attitude},
+          {"not_rising", counts.not_rising}};
+}
+
+/// Reasons without a value are left out.
+template <typename Value>
+Json by_reason(const std::array<Value, kPoseTrusts>& values) {
+  Json json = Json::object();
+  for (std::size_t reason = 0; reason < kPoseTrusts; ++reason) {
+    if (values[reason] > Value{}) {
+      std::string name(trust_name(static_cast<PoseTrust>(reason)));
+      std::replace(name.begin(), name.end(), ' ', '_');
+      json[name] = values[reason];
+    }
+  }
+  return json;
+}
+
+Json describe(const std::optional<PoseFigures>& poses) {
+  if (!poses) {
+    return nullptr;
+  }
+  Json json = {{"file", poses->file}, {"poses", poses->poses}, {"jumps", poses->jumps}};
+  std::array<double, kPoseTrusts> distrusted_s = poses->distrusted_s;
+  std::transform(distrusted_s.begin(), distrusted_s.end(), distrusted_s.begin(), thousandths);
+  json["distrusted_s"] = by_reason(distrusted_s);
+  if (poses->datum) {
+    json["datum"] = {
+        {"lat_deg", poses->datum->lat_deg}, {"lon_deg", poses->datum->lon_deg}, {"h_m", poses->datum->h_m}};
+  }
+  if (poses->log) {
+    json["log"] = describe(*poses->log);
+  }
+  return json;
+}
+
+Json describe(const std::optional<EdgeCounts>& edges) {
+  if (!edges) {
+    return nullptr;
+  }
+  Json json = {{"points", edges->points}};
+  if (!edges->has_map) {
+    return json;
+  }
+  json["scans_mapped"] = edges->mapped;
+  json["scans_not_mapped"] = by_reason(edges->not_mapped);
+  json["points_left_out"] = edges->left_out;
+  json["world"] = edges->world;
+  json["voxels"] = edges->voxels;
+  for (const EdgeSide side : {EdgeSide::left, EdgeSide::right}) {
+    const auto i = static_cast<std::size_t>(side);
+    json[side == EdgeSide::left ? "left" : "right"] = {{"lines", edges->lines[i]},
+                                                       {"km", thousandths(edges->lines_m[i] * 1e-3)}};
+  }
+  return json;
+}
+
 Json describe(const RunTimes& times) {
   Json json = {{"read", describe(times.read)}};
   for (std::size_t stage = 0; stage < kStages; ++stage) {
     if (times.stages[stage].count() > 0) {
       json[std::string(to_string(static_cast<Stage>(stage)))] = describe(times.stages[stage]);
     }
+  }
+  if (times.map.count() > 0) {
+    json["map"] = describe(times.map);
   }
   json["write"] = describe(times.write);
   return json;
@@ -110,37 +178,42 @@ OutputResults run_results() {
   return {"run",
           "run.json",
           std::string("\"schema\": \"") + kRunSchemaName,
-          {"trajectory.tum", "scans.csv", "boundary.csv"},
+          {"trajectory.tum", "scans.csv", "boundary.csv", "edge_points.csv", "edges.ot", "edges.csv", "edges.geojson",
+           "edges.gpkg", "edges.dxf", "road.csv"},
           {{"labels", ".label"}}};
 }
 
 std::string write_run_report(const Recording& recording, const Machine& machine, const RunOptions& options,
                              const RunSummary& summary, const RunTimes& times, const RunFiles& files) {
-  Json names = {{"labels", "labels"}, {"scans", "scans.csv"}};
-  if (files.boundary) {
-    names["boundary"] = "boundary.csv";
-  }
-  if (files.trajectory) {
-    names["trajectory"] = "trajectory.tum";
+  Json names = Json::object();
+  for (const auto& [content, name] : files) {
+    names[content] = name;
   }
   const bool whole = summary.counts.skipped == 0;
-  const Json report = {{"schema", std::string(kRunSchemaName) + "/" + std::to_string(kRunSchemaVersion)},
-                       {"schema_version", kRunSchemaVersion},
-                       {"program", "berm"},
-                       {"version", version()},
-                       {"state", whole ? "whole" : "lossy"},
-                       {"recording", describe(recording, options)},
-                       {"machine_file", options.machine_file.string()},
-                       {"machine", to_json(machine)},
-                       {"files", names},
-                       {"counts", describe(summary.counts)},
-                       {"mount", describe(summary.mount)},
-                       {"skipped", describe(summary.skipped)},
-                       {"notes", summary.notes},
-                       {"threads", options.threads},
-                       {"stages", describe(times)},
-                       {"wall_s", std::round(times.wall_s * 1e3) / 1e3},
-                       {"peak_memory_mib", peak_memory_mib()}};
+  Json report = {{"schema", std::string(kRunSchemaName) + "/" + std::to_string(kRunSchemaVersion)},
+                 {"schema_version", kRunSchemaVersion},
+                 {"program", "berm"},
+                 {"version", version()},
+                 {"state", whole ? "whole" : "lossy"},
+                 {"recording", describe(recording, options)},
+                 {"machine_file", options.machine_file.string()},
+                 {"machine", to_json(machine)},
+                 {"files", names},
+                 {"counts", describe(summary.counts)},
+                 {"poses", describe(summary.poses)},
+                 {"edges", describe(summary.edges)},
+                 {"mount", describe(summary.mount)},
+                 {"skipped", describe(summary.skipped)},
+                 {"notes", summary.notes},
+                 {"threads", options.threads},
+                 {"stages", describe(times)},
+                 {"wall_s", std::round(times.wall_s * 1e3) / 1e3},
+                 {"peak_memory_mib", peak_memory_mib()}};
+  for (const char* key : {"poses", "edges"}) {
+    if (report[key].is_null()) {
+      report.erase(key);
+    }
+  }
   // Names of files may hold any bytes; what is no UTF-8 is replaced.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "berm/io/output_folder.hpp"
 #include "berm/io/recording.hpp"
@@ -20,15 +22,13 @@ inline constexpr int kRunSchemaVersion = 2;
 struct RunTimes {
   StageTimes read;
   std::array<StageTimes, kStages> stages;  ///< nothing in those that the machine leaves out
+  StageTimes map;                          ///< nothing without a map
   StageTimes write;
   double wall_s = 0.0;
 };
 
-/// Which of the files are there that not every run has.
-struct RunFiles {
-  bool boundary = false;
-  bool trajectory = false;
-};
+/// The files of a run: what each holds, and its name.
+using RunFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// What a run leaves in its folder.
 [[nodiscard]] OutputResults run_results();

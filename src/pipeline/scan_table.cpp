@@ -1,5 +1,6 @@
 #include "scan_table.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -24,14 +25,32 @@ std::string seconds(Stamp stamp_ns) {
   return fmt::format("{}{}.{:09d}", negative ? "-" : "", size_ns / kSecond_ns, size_ns % kSecond_ns);
 }
 
+Eigen::Vector3d in_base_m(const EdgePoint& point, const Pose& T_base_sensor) {
+  return T_base_sensor * Eigen::Vector3d(double{point.x_m}, double{point.y_m}, double{point.z_m});
+}
+
+std::optional<double> nearest_m(std::span<const EdgePoint> points, EdgeSide side, const Pose& T_base_sensor) {
+  std::optional<double> nearest;
+  for (const EdgePoint& point : points) {
+    if (point.side == side) {
+      const double distance_m = in_base_m(point, T_base_sensor).head<2>().norm();
+      nearest = nearest ? std::min(*nearest, distance_m) : distance_m;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
-ScanFigures figures_of(const ScanResult& result) {
+ScanFigures figures_of(const ScanResult& result, const Pose& T_base_sensor) {
   return {.counts = result.counts,
           .slope = result.piste.slope,
           .obstacle_ahead_m = result.piste.obstacle_ahead_m,
           .left_vertices = result.piste.left.size(),
           .right_vertices = result.piste.right.size(),
+          .left_edge_m = nearest_m(result.edge.edges, EdgeSide::left, T_base_sensor),
+          .right_edge_m = nearest_m(result.edge.edges, EdgeSide::right, T_base_sensor),
+          .edge_points = result.edge.edges.size(),
           .ground_tilt_rad = result.ground_tilt_rad,
           .degraded = result.degraded};
 }
@@ -50,7 +69,8 @@ std::string csv_field(std::string_view text) {
 ScanTable::ScanTable(const std::filesystem::path& path) : file_(path) {
   file_.write(
       "scan,stamp,points,returns,no_return,invalid,falling_snow,drivable,terrain,obstacle,slope_deg,slope_sigma_deg,"
-      "cross_fall_deg,cross_fall_sigma_deg,obstacle_ahead_m,left_vertices,right_vertices,ground_tilt_deg,degraded\n");
+      "cross_fall_deg,cross_fall_sigma_deg,obstacle_ahead_m,left_vertices,right_vertices,"
+      "left_edge_m,right_edge_m,edge_points,ground_tilt_deg,degraded\n");
 }
 
 void ScanTable::add(const std::string& name, Stamp stamp_ns, const ScanFigures& figures) {
@@ -70,9 +90,10 @@ void ScanTable::add(const std::string& name, Stamp stamp_ns, const ScanFigures& 
       cross_fall_sigma_rad = figures.slope->cross_fall_sigma_rad;
     }
   }
-  line += fmt::format(",{},{},{},{},{},{},{},{},{}\n", degrees(slope_rad), degrees(slope_sigma_rad),
+  line += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{}\n", degrees(slope_rad), degrees(slope_sigma_rad),
                       degrees(cross_fall_rad), degrees(cross_fall_sigma_rad), field(figures.obstacle_ahead_m),
-                      figures.left_vertices, figures.right_vertices, degrees(figures.ground_tilt_rad),
+                      figures.left_vertices, figures.right_vertices, field(figures.left_edge_m),
+                      field(figures.right_edge_m), figures.edge_points, degrees(figures.ground_tilt_rad),
                       figures.degraded.text());
   file_.write(line);
 }
@@ -92,6 +113,21 @@ void BoundaryTable::add(const std::string& name, std::span<const BoundaryPoint> 
   };
   write("left", left);
   write("right", right);
+}
+
+EdgePointTable::EdgePointTable(const std::filesystem::path& path) : file_(path) {
+  file_.write("scan,side,kind,x,y,z,time,confidence,height,width\n");
+}
+
+void EdgePointTable::add(const std::string& name, std::span<const EdgePoint> points, const Pose& T_base_sensor) {
+  const std::string scan = csv_field(name);
+  for (const EdgePoint& point : points) {
+    const Eigen::Vector3d p = in_base_m(point, T_base_sensor);
+    file_.write(fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.6f},{:.2f},{:.2f},{:.2f}\n", scan,
+                            point.side == EdgeSide::left ? "left" : "right",
+                            point.kind == EdgeKind::rise ? "rise" : "drop", p.x(), p.y(), p.z(), point.time_s,
+                            point.confidence, point.height_m, point.width_m));
+  }
 }
 
 }  // namespace berm

@@ -88,8 +88,17 @@ class Recording {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   /// Poses that a machine had on board: gnss.tum, else KITTI's poses.txt moved from the left camera to the LiDAR by
-  /// calib.txt; none without them. Reads the file at every call. Throws FileError.
+  /// calib.txt; none without them, or with a `pose_log`. Reads the file at every call. Throws FileError.
   [[nodiscard]] std::optional<GivenPoses> read_given_poses() const;
+
+  /// A log of poses beside the scans, which is to be used: gnss.csv, else gnss.nmea, where there is no gnss.tum. See
+  /// `read_pose_log`.
+  [[nodiscard]] const std::optional<std::filesystem::path>& pose_log() const { return pose_log_file_; }
+
+  /// Poses in `file`, wherever it lies, as TUM or KITTI has them: the latter belong to the scans of this recording and
+  /// need its calib.txt. Throws FileError.
+  [[nodiscard]] static GivenPoses read_tum_poses(const std::filesystem::path& file);
+  [[nodiscard]] GivenPoses read_camera_poses(const std::filesystem::path& file) const;
 
   /// Truth: truth.tum, T_world_base; none without it. Reads the file at every call. Throws FileError.
   [[nodiscard]] std::optional<Trajectory> read_truth_poses() const;
@@ -111,8 +120,10 @@ class Recording {
   std::vector<bool> has_labels_;
   StampSource stamp_source_ = StampSource::assumed_rate;
   IntensityScale intensity_scale_ = IntensityScale::byte;  ///< of .bin files
-  std::optional<std::filesystem::path> given_poses_file_;
-  std::optional<std::filesystem::path> calibration_file_;  ///< where `given_poses_file_` is poses.txt
+  std::optional<std::filesystem::path> gnss_file_;
+  std::optional<std::filesystem::path> pose_log_file_;
+  std::optional<std::filesystem::path> camera_poses_file_;
+  std::optional<std::filesystem::path> calibration_file_;
   std::optional<std::filesystem::path> truth_poses_file_;
   SensorSheet sheet_;
   std::vector<std::string> notes_;

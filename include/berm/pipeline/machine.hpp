@@ -7,9 +7,17 @@
 
 #include "berm/core/config.hpp"
 #include "berm/core/mount.hpp"
+#include "berm/core/pose_guard.hpp"
+#include "berm/edge/ring_edges.hpp"
+#include "berm/edge/trace_edges.hpp"
 #include "berm/ground/polar_ground.hpp"
 #include "berm/ground/terrain_ground.hpp"
+#include "berm/io/datum.hpp"
+#include "berm/io/pose_log.hpp"
 #include "berm/io/settings.hpp"
+#include "berm/map/edge_lines.hpp"
+#include "berm/map/edge_map.hpp"
+#include "berm/map/road_survey.hpp"
 #include "berm/piste/boundary_piste.hpp"
 #include "berm/piste/envelope_piste.hpp"
 #include "berm/snow/box_snow.hpp"
@@ -45,6 +53,7 @@ struct MethodConfig {
   std::string snow = "default";
   std::string ground = "default";
   std::string piste = "none";
+  std::string edge = "none";
 
   static void fields(auto&& field) {
     field("snow", &MethodConfig::snow, Choices{{"none", "default", "reference"}},
@@ -53,6 +62,8 @@ struct MethodConfig {
           "default follows the terrain, reference is method G as published");
     field("piste", &MethodConfig::piste, Choices{{"none", "default", "reference"}},
           "default finds the piste by its boundary, reference is method P as published");
+    field("edge", &MethodConfig::edge, Choices{{"none", "default", "reference"}},
+          "default finds the edges of a road by the traces of the beams, reference is method E as published");
   }
   void check() const { check_fields(*this, "methods"); }
 };
@@ -70,6 +81,15 @@ struct Machine {
   PolarGroundConfig ground_reference;
   BoundaryPisteConfig piste;
   EnvelopePisteConfig piste_reference;
+  TraceEdgesConfig edge;
+  RingEdgesConfig edge_reference;
+  EdgeMapConfig map;
+  EdgeLinesConfig lines;
+  RoadConfig road;
+  PoseLogConfig poses;
+  GnssMountConfig gnss;
+  PoseGuardConfig pose_guard;
+  DatumConfig datum;
 
   static void sections(auto&& section) {
     section("machine", &Machine::machine);
@@ -82,6 +102,15 @@ struct Machine {
     section("ground_reference", &Machine::ground_reference);
     section("piste", &Machine::piste);
     section("piste_reference", &Machine::piste_reference);
+    section("edge", &Machine::edge);
+    section("edge_reference", &Machine::edge_reference);
+    section("map", &Machine::map);
+    section("lines", &Machine::lines);
+    section("road", &Machine::road);
+    section("poses", &Machine::poses);
+    section("gnss", &Machine::gnss);
+    section("pose_guard", &Machine::pose_guard);
+    section("datum", &Machine::datum);
   }
   /// Throws ConfigError for the first value that is not allowed.
   void check() const;

@@ -9,12 +9,17 @@
 #include <string>
 #include <vector>
 
+#include "berm/core/pose_guard.hpp"
+#include "berm/io/pose_log.hpp"
 #include "berm/io/recording.hpp"
 #include "berm/pipeline/machine.hpp"
 #include "berm/pipeline/mount_check.hpp"
 #include "berm/pipeline/scan_result.hpp"
 
 namespace berm {
+
+/// Values of PoseTrust.
+inline constexpr std::size_t kPoseTrusts = 5;
 
 struct RunOptions {
   std::filesystem::path output;
@@ -24,6 +29,8 @@ struct RunOptions {
   std::optional<std::size_t> count;    ///< number of scans; none: up to the last
   std::filesystem::path machine_file;  ///< for run.json; empty if the machine comes from no file
   std::vector<std::string> notes;      ///< to be kept in run.json beside those of the run
+  std::filesystem::path poses;         ///< beats the poses of the recording; see `recognise_pose_file`
+  std::filesystem::path map;           ///< edges.ot of an earlier run, which the map of this one continues
 
   /// Called on the calling thread after every scan with the number of scans done and their total.
   std::function<void(std::size_t, std::size_t)> on_progress;
@@ -52,8 +59,33 @@ struct RunCounts {
   std::array<std::size_t, kDegradations> degraded{};  ///< scans with each kind, by its number
 };
 
+/// The poses of a run.
+struct PoseFigures {
+  std::string file;
+  std::size_t poses = 0;
+  std::optional<Geodetic> datum;                   ///< origin of the world, where it is known
+  std::optional<PoseLogCounts> log;                ///< of the records of a log
+  std::size_t jumps = 0;                           ///< steps that no machine drives
+  std::array<double, kPoseTrusts> distrusted_s{};  ///< time without trust, by PoseTrust
+};
+
+/// What became of the edges of the road.
+struct EdgeCounts {
+  std::uint64_t points = 0;                           ///< that were found, in all labelled scans
+  bool has_map = false;                               ///< nothing below without a map
+  std::size_t mapped = 0;                             ///< scans that went into the map
+  std::array<std::size_t, kPoseTrusts> not_mapped{};  ///< scans that did not, by PoseTrust
+  std::uint64_t left_out = 0;                         ///< points of mapped scans without a time, or too far out
+  std::string world;                                  ///< name of the map's world
+  std::size_t voxels = 0;                             ///< of the map that were seen
+  std::array<std::size_t, 2> lines{};                 ///< by EdgeSide
+  std::array<double, 2> lines_m{};                    ///< their length
+};
+
 struct RunSummary {
   RunCounts counts;
+  std::optional<PoseFigures> poses;
+  std::optional<EdgeCounts> edges;   ///< with an edge method
   std::vector<SkippedScan> skipped;  ///< the first `kListedSkips`
   std::vector<std::string> notes;
   MountSummary mount;
@@ -63,11 +95,12 @@ struct RunSummary {
 };
 
 /// Takes a recording through the chain and writes the files of a run (docs/command_line.md): labels, scans.csv,
-/// boundary.csv with a piste method, the trajectory, and run.json last. A scan that cannot be read is skipped and
+/// boundary.csv with a piste method, the edges of the road and their map with an edge method, the trajectory, and
+/// run.json last. A scan that cannot be read is skipped and
 /// counted. Same recording and machine, same bytes, but for the times in run.json.
 ///
-/// Throws Error: invalid_argument if `first` and `count` select nothing, exists or write_failed for the output, the
-/// first scan's error if no scan at all can be read; ConfigError as `Machine::check`.
+/// Throws Error: invalid_argument if `first` and `count` select nothing or `map` cannot be continued, exists or
+/// write_failed for the output, the first scan's error if no scan at all can be read; ConfigError as `Machine::check`.
 [[nodiscard]] RunSummary run(const Recording& recording, const Machine& machine, const RunOptions& options);
 
 }  // namespace berm

@@ -9,6 +9,7 @@
 
 #include "berm/core/label.hpp"
 #include "berm/core/series.hpp"
+#include "berm/edge/edge.hpp"
 #include "berm/geometry/height_grid.hpp"
 #include "berm/pipeline/mount_check.hpp"
 #include "berm/piste/piste.hpp"
@@ -71,6 +72,7 @@ struct ScanResult {
   LabelCounts counts;
   SeriesView series;                      ///< gaps closed; empty without a piste method
   PisteResult piste;                      ///< nothing in it without a piste method
+  EdgeResult edge;                        ///< nothing in it without an edge method
   const HeightGrid* surface = nullptr;    ///< the ground; null if the method gives none
   std::optional<double> ground_tilt_rad;  ///< of the ground plane of the whole scan against the mount; for information
   MountCheckResult mount;

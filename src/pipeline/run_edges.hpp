@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "berm/core/scan.hpp"
+#include "berm/edge/edge.hpp"
+#include "berm/io/output_folder.hpp"
+#include "berm/io/recording.hpp"
+#include "berm/pipeline/machine.hpp"
+#include "berm/pipeline/run.hpp"
+#include "road_mapper.hpp"
+#include "run_poses.hpp"
+#include "run_report.hpp"
+
+namespace berm {
+
+/// Poses, road edges and their map in a run: what is there, what can be done with it, and what is written at its end.
+class RunEdges {
+ public:
+  /// Reads poses and the map that is to be continued. `selected`: number of scans from `options.first` on. Throws as
+  /// `read_run_poses`; FileError for a map that is none, has other voxels or lies in another world;
+  /// Error(invalid_argument) for a map without an edge method or poses, or one that the results would replace.
+  RunEdges(const Recording& recording, const Machine& machine, const RunOptions& options, std::size_t selected);
+
+  [[nodiscard]] const std::optional<RunPoses>& poses() const { return poses_; }
+  [[nodiscard]] bool has_map() const { return mapper_.has_value(); }
+
+  /// For any thread: writes to `placed` alone. Only with a map.
+  void place(const Scan& scan, const EdgeResult& found, PlacedScan& placed) const {
+    mapper_->place(scan, found, placed);
+  }
+  /// For one thread, in the order of scans. Only with a map.
+  void add(const PlacedScan& placed) { mapper_->add(placed); }
+
+  /// Writes the map and what follows from it, and completes `summary` with figures of poses and edges, and notes.
+  void finish(const OutputFolder& output, RunFiles& files, RunSummary& summary) const;
+
+ private:
+  void start_map(const Recording& recording, std::optional<EdgeMap> old, std::size_t selected);
+  void write_map(const OutputFolder& output, RunFiles& files, RunSummary& summary) const;
+
+  const Machine& machine_;
+  const RunOptions& options_;
+  std::optional<RunPoses> poses_;
+  std::optional<RoadMapper> mapper_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace berm
