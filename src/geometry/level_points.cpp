@@ -1,5 +1,6 @@
 #include "berm/geometry/level_points.hpp"
 
+#include <array>
 #include <cstddef>
 
 #include <Eigen/Geometry>
@@ -10,25 +11,21 @@
 namespace berm {
 namespace {
 
-BERM_MULTIVERSION void turn_points(const PointsView& points, const Eigen::Matrix3f& r, const Eigen::Vector3f& t,
-                                   LevelPoints& out) {
-  const std::size_t size = points.size();
-  const float* px = points.x.data();
-  const float* py = points.y.data();
-  const float* pz = points.z.data();
-  float* x = out.x.data();
-  float* y = out.y.data();
-  float* z = out.z.data();
-  float* range2 = out.range2.data();
-  std::uint16_t* turn = out.turn.data();
-  const float r00 = r(0, 0), r01 = r(0, 1), r02 = r(0, 2), t0 = t.x();
-  const float r10 = r(1, 0), r11 = r(1, 1), r12 = r(1, 2), t1 = t.y();
-  const float r20 = r(2, 0), r21 = r(2, 1), r22 = r(2, 2), t2 = t.z();
+/// Rows of the 3 x 4 matrix that takes a point to the level frame.
+struct Row {
+  float x, y, z, offset;
+};
+
+BERM_MULTIVERSION void turn_axis(const float* __restrict px, const float* __restrict py, const float* __restrict pz,
+                                 std::size_t size, const Row& row, float* __restrict out) {
+  const Row r = row;
   for (std::size_t i = 0; i < size; ++i) {
-    x[i] = r00 * px[i] + r01 * py[i] + r02 * pz[i] + t0;
-    y[i] = r10 * px[i] + r11 * py[i] + r12 * pz[i] + t1;
-    z[i] = r20 * px[i] + r21 * py[i] + r22 * pz[i] + t2;
+    out[i] = r.x * px[i] + r.y * py[i] + r.z * pz[i] + r.offset;
   }
+}
+
+BERM_MULTIVERSION void find_places(const float* __restrict x, const float* __restrict y, std::size_t size,
+                                   float* __restrict range2, std::uint16_t* __restrict turn) {
   for (std::size_t i = 0; i < size; ++i) {
     range2[i] = x[i] * x[i] + y[i] * y[i];
     turn[i] = bearing_grid::turn_of(x[i], y[i]);
@@ -44,8 +41,14 @@ void LevelPoints::fill(const PointsView& points, const Pose& T_level_sensor) {
   }
   turn.resize(size);
   sensor_height_m = static_cast<float>(T_level_sensor.translation_m().z());
-  turn_points(points, T_level_sensor.rotation().toRotationMatrix().cast<float>(),
-              T_level_sensor.translation_m().cast<float>(), *this);
+  const Eigen::Matrix3f r = T_level_sensor.rotation().toRotationMatrix().cast<float>();
+  const Eigen::Vector3f t = T_level_sensor.translation_m().cast<float>();
+  const std::array<float*, 3> axes = {x.data(), y.data(), z.data()};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    turn_axis(points.x.data(), points.y.data(), points.z.data(), size, {r(i, 0), r(i, 1), r(i, 2), t[i]},
+              axes[static_cast<std::size_t>(i)]);
+  }
+  find_places(x.data(), y.data(), size, range2.data(), turn.data());
 }
 
 }  // namespace berm

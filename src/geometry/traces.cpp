@@ -89,6 +89,32 @@ BERM_MULTIVERSION void mark_breaks(float sensor_height_m, float max_squared_rad,
   }
 }
 
+/// In the order of the scan.
+void list_ground(std::span<const Label> labels, std::vector<std::uint32_t>& index) {
+  index.resize(labels.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    // Written in any case and kept if ground: cheaper than a branch that nobody can foresee.
+    index[count] = static_cast<std::uint32_t>(i);
+    count += labels[i] == Label::drivable ? 1U : 0U;
+  }
+  index.resize(count);
+}
+
+void gather_channel(std::span<const std::uint32_t> index, const std::vector<float>& from, std::vector<float>& to) {
+  to.resize(index.size());
+  const float* __restrict source = from.data();
+  float* __restrict target = to.data();
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    target[i] = source[index[i]];
+  }
+}
+
+bool is_mostly_broken(std::span<const std::uint8_t> is_broken) {
+  const auto broken = std::count(is_broken.begin(), is_broken.end(), std::uint8_t{1});
+  return static_cast<float>(broken) > (1.0F - kMinShare) * static_cast<float>(is_broken.size());
+}
+
 bool has_rings(const PointsView& points) {
   return !points.ring.empty() && std::any_of(points.ring.begin(), points.ring.end(),
                                              [&](std::uint16_t ring) { return ring != points.ring[0]; });
@@ -99,14 +125,9 @@ bool has_rings(const PointsView& points) {
 const Traces& TraceFinder::process(const PointsView& points, std::span<const Label> labels, const LevelPoints& level,
                                    const bearing_grid::SectorTable& sectors) {
   choose_order(points);
-  traces_.index.clear();
   switch (traces_.kind) {
     case TraceKind::firing:
-      for (std::uint32_t i = 0; i < labels.size(); ++i) {
-        if (labels[i] == Label::drivable) {
-          traces_.index.push_back(i);
-        }
-      }
+      list_ground(labels, traces_.index);
       break;
     case TraceKind::interleaved:
       keys_.resize(points.size());
@@ -125,9 +146,7 @@ const Traces& TraceFinder::process(const PointsView& points, std::span<const Lab
   }
   gather(level);
   find_breaks(level);
-  const auto broken = std::count(traces_.is_broken.begin(), traces_.is_broken.end(), std::uint8_t{1});
-  if (traces_.kind == TraceKind::rings &&
-      static_cast<float>(broken) > (1.0F - kMinShare) * static_cast<float>(traces_.is_broken.size())) {
+  if (traces_.kind == TraceKind::rings && is_mostly_broken(traces_.is_broken)) {
     traces_.kind = TraceKind::radial;  // rings, but not in firing order
     order_radially(labels, level, sectors);
     gather(level);
@@ -194,16 +213,9 @@ void TraceFinder::order_radially(std::span<const Label> labels, const LevelPoint
 }
 
 void TraceFinder::gather(const LevelPoints& level) {
-  const std::size_t size = traces_.index.size();
-  traces_.x.resize(size);
-  traces_.y.resize(size);
-  traces_.z.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::uint32_t from = traces_.index[i];
-    traces_.x[i] = level.x[from];
-    traces_.y[i] = level.y[from];
-    traces_.z[i] = level.z[from];
-  }
+  gather_channel(traces_.index, level.x, traces_.x);
+  gather_channel(traces_.index, level.y, traces_.y);
+  gather_channel(traces_.index, level.z, traces_.z);
 }
 
 void TraceFinder::find_breaks(const LevelPoints& level) {

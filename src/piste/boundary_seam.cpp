@@ -1,7 +1,10 @@
 #include "boundary_seam.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #include "berm/core/multiversion.hpp"
 
@@ -25,6 +28,49 @@ BERM_MULTIVERSION void widen(const float* __restrict from, float* __restrict to,
   }
 }
 
+/// Smallest of kPlaces values. Written with vectors because compilers must not look for the least float of a plain loop
+/// in another order.
+BERM_MULTIVERSION float least_of(const float* values) {
+  constexpr std::size_t kLanes = 8;
+  using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+  Lanes least;
+  std::memcpy(&least, values, sizeof(least));
+  for (std::size_t i = kPlaces % kLanes; i < kPlaces; i += kLanes) {
+    Lanes next;
+    std::memcpy(&next, values + i, sizeof(next));
+    least = next < least ? next : least;
+  }
+  std::array<float, kLanes> lanes;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
+  std::memcpy(lanes.data(), &least, sizeof(least));
+  return *std::min_element(lanes.begin(), lanes.end());
+}
+
+/// The first place where `costs` are least; `otherwise` if they are no numbers.
+std::size_t cheapest_place(const float* costs, std::size_t otherwise) {
+  const float* found = std::find(costs, costs + kPlaces, least_of(costs));
+  return found < costs + kPlaces ? static_cast<std::size_t>(found - costs) : otherwise;
+}
+
+/// costs[from] = before[from] and the price of the jump from there to `bin`.
+BERM_MULTIVERSION void add_jumps(const float* __restrict before, std::int32_t bin, std::int32_t max_jump,
+                                 float jump_cost, float* __restrict costs) {
+  for (std::int32_t from = 0; from < std::int32_t{kPlaces}; ++from) {
+    const std::int32_t jump = from > bin ? from - bin : bin - from;
+    costs[from] = before[from] + static_cast<float>(jump < max_jump ? jump : max_jump) * jump_cost;
+  }
+}
+
+/// What a seam costs that ends in each bin: what it cost to get there, and what speaks for piste beyond or against it
+/// before.
+void add_evidence(const float* evidence, const float* reached, float* costs) {
+  float before = 0.0F;
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    costs[bin] = reached[bin] + before;
+    before += evidence[bin];
+  }
+  costs[kBins] = reached[kBins] + before;
+}
+
 }  // namespace
 
 BoundarySeam::BoundarySeam(double jump_cost, int max_jump_bins)
@@ -39,7 +85,7 @@ BoundarySeam::BoundarySeam(double jump_cost, int max_jump_bins)
 /// up all of them, and those beyond the longest that is charged cost no more than it.
 void BoundarySeam::reach() {
   const float* costs = reached_.data() + kPad;
-  const float any = *std::min_element(costs, costs + kPlaces) + static_cast<float>(max_jump_bins_) * jump_cost_;
+  const float any = least_of(costs) + static_cast<float>(max_jump_bins_) * jump_cost_;
   for (std::size_t covered = 0; covered < std::min(max_jump_bins_, kPlaces - 1);) {
     const std::size_t step = std::min(covered + 1, kPad);
     widen(reached_.data() + kPad, spare_.data() + kPad, static_cast<std::ptrdiff_t>(step),
@@ -54,18 +100,11 @@ void BoundarySeam::reach() {
 
 /// Bin of the sector before that the best seam through `bin` came from.
 std::size_t BoundarySeam::best_before(std::size_t place, std::size_t bin) const {
-  const float* before = costs_.data() + (place - 1) * kPlaces;
-  std::size_t best = bin;
-  float least = before[bin];
-  for (std::size_t from = 0; from < kPlaces; ++from) {
-    const std::size_t jump = std::min(from > bin ? from - bin : bin - from, max_jump_bins_);
-    const float cost = before[from] + static_cast<float>(jump) * jump_cost_;
-    if (cost < least) {
-      least = cost;
-      best = from;
-    }
-  }
-  return best;
+  std::array<float, kPlaces> costs;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
+  add_jumps(costs_.data() + (place - 1) * kPlaces, static_cast<std::int32_t>(bin),
+            static_cast<std::int32_t>(max_jump_bins_), jump_cost_, costs.data());
+  const std::size_t cheapest = cheapest_place(costs.data(), bin);
+  return costs[cheapest] < costs[bin] ? cheapest : bin;  // no jump rather than one for nothing
 }
 
 std::span<const int> BoundarySeam::find(std::span<const float> cells, const bearing_grid::Arc& arc) {
@@ -78,19 +117,14 @@ std::span<const int> BoundarySeam::find(std::span<const float> cells, const bear
   for (int i = 0; i < arc.count; ++i) {
     float* costs = costs_.data() + static_cast<std::size_t>(i) * kPlaces;
     const float* evidence = cells.data() + arc.sector(i) * kBins;
-    float before = 0.0F;
-    for (std::size_t bin = 0; bin < kBins; ++bin) {
-      costs[bin] = reached[bin] + before;
-      before += evidence[bin];
-    }
-    costs[kBins] = reached[kBins] + before;
+    add_evidence(evidence, reached, costs);
     std::copy(costs, costs + kPlaces, reached);
     reach();
     reached = reached_.data() + kPad;
   }
   const auto last = static_cast<std::size_t>(arc.count - 1);
   const float* costs = costs_.data() + last * kPlaces;
-  auto bin = static_cast<std::size_t>(std::min_element(costs, costs + kPlaces) - costs);
+  std::size_t bin = cheapest_place(costs, kBins);
   for (std::size_t place = last; place > 0; --place) {
     bound_[arc.sector(static_cast<int>(place))] = static_cast<int>(bin);
     bin = best_before(place, bin);

@@ -28,7 +28,7 @@ struct Sums {
 };
 
 void add_window(const Traces& t, std::size_t first, std::size_t last, const Sums& sums, float window_m,
-                TraceWindows& windows) {
+                TraceWindows& windows, std::size_t place) {
   const auto n = static_cast<float>(last - first + 1);
   const float mx = sums.x / n;
   const float my = sums.y / n;
@@ -49,30 +49,31 @@ void add_window(const Traces& t, std::size_t first, std::size_t last, const Sums
   const float zz = sums.zz - n * mz * mz;
   const float slope = has_direction && tt > 0.0F ? tz / tt : 0.0F;
 
-  windows.x.push_back(x);
-  windows.y.push_back(y);
-  windows.z.push_back(t.z[first] + mz);
-  windows.along_x.push_back(ux);
-  windows.along_y.push_back(uy);
-  windows.slope.push_back(slope);
-  windows.variance_m2.push_back(std::max(zz - slope * tz, 0.0F) / (n - 2.0F));
-  windows.length_m.push_back(length);
-  windows.nominal_m.push_back(std::max(window_m, kLengthPerRange * range));
-  windows.range_m.push_back(range);
+  windows.x[place] = x;
+  windows.y[place] = y;
+  windows.z[place] = t.z[first] + mz;
+  windows.along_x[place] = ux;
+  windows.along_y[place] = uy;
+  windows.slope[place] = slope;
+  windows.variance_m2[place] = std::max(zz - slope * tz, 0.0F) / (n - 2.0F);
+  windows.length_m[place] = length;
+  windows.nominal_m[place] = std::max(window_m, kLengthPerRange * range);
+  windows.range_m[place] = range;
 }
 
 }  // namespace
 
-void TraceWindows::clear() {
+void TraceWindows::resize(std::size_t size) {
   for (auto* channel : {&x, &y, &z, &along_x, &along_y, &slope, &variance_m2, &length_m, &nominal_m, &range_m}) {
-    channel->clear();
+    channel->resize(size);
   }
 }
 
 void cut_windows(const Traces& traces, double window_m, TraceWindows& windows) {
-  windows.clear();
   const auto nominal_m = static_cast<float>(window_m);
   const std::size_t size = traces.index.size();
+  windows.resize(size / kMinPoints);
+  std::size_t count = 0;
   std::size_t first = 0;
   while (first < size) {
     const float limit = std::max(nominal_m, kLengthPerRange * traces.range[first]);
@@ -87,10 +88,12 @@ void cut_windows(const Traces& traces, double window_m, TraceWindows& windows) {
       sums.add(traces.x[next] - traces.x[first], traces.y[next] - traces.y[first], traces.z[next] - traces.z[first]);
     }
     if (next - first >= kMinPoints) {
-      add_window(traces, first, next - 1, sums, nominal_m, windows);
+      add_window(traces, first, next - 1, sums, nominal_m, windows, count);
+      ++count;
     }
     first = next;
   }
+  windows.resize(count);
 }
 
 }  // namespace berm

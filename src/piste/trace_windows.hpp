@@ -21,7 +21,7 @@ struct TraceWindows {
   std::vector<float> range_m;      ///< of the mean, from the origin, on the map
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
-  void clear();
+  void resize(std::size_t size);
 };
 
 /// Cuts traces into windows of `window_m`, longer in proportion to the range beyond 20 times that, of four points at

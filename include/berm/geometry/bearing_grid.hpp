@@ -42,7 +42,9 @@ inline constexpr int kTurnsPerQuadrant = 1024;
   const float turn = x >= 0.0F ? slant : std::copysign(2.0F, y) - slant;
   constexpr float kLast = 4.0F * kTurnsPerQuadrant - 1.0F;
   const float place = (turn + 2.0F) * static_cast<float>(kTurnsPerQuadrant);
-  return static_cast<std::uint16_t>(std::min(place > 0.0F ? place : 0.0F, kLast));
+  const float bounded = place > 0.0F ? place : 0.0F;
+  // By way of 32 bits: compilers know no vectors that take a float to 16.
+  return static_cast<std::uint16_t>(static_cast<std::int32_t>(bounded < kLast ? bounded : kLast));
 }
 
 /// Sector of each turn. Borders of sectors are met to a twentieth of a sector.
