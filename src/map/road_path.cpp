@@ -167,7 +167,7 @@ void lay_on(const Piece& piece, std::uint32_t number, double spacing_m, double c
   // Rounding must not cost the last one.
   const auto count = static_cast<std::size_t>(piece.length_m() / spacing_m + 1e-6) + 1;
   for (std::size_t i = 0; i < count; ++i) {
-    const double s_m = static_cast<double>(i) * spacing_m;
+    const double s_m = std::min(static_cast<double>(i) * spacing_m, piece.length_m());
     const PathPoint here = point_at(piece, s_m);
     const PathPoint behind = point_at(piece, std::max(s_m - kHalfChord_m, 0.0));
     const PathPoint before = point_at(piece, std::min(s_m + kHalfChord_m, piece.length_m()));

@@ -156,6 +156,7 @@ void RoadSightings::add_ground(const Eigen::Vector3d& point_m) {
   const auto add = [&](GroundStrip& to) {
     to.sum_z_m += z_m;
     to.sum_along_m += double{spot.along_m};
+    to.sum_left_m += double{spot.left_m};
     ++to.count;
   };
   add(ground_[spot.place * strips_ + std::min(strip, strips_ - 1)]);

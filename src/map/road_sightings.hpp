@@ -46,11 +46,16 @@ class EdgeSightings {
   std::uint32_t stride_ = 1;
 };
 
-/// Ground in one strip along a place, above the place.
+/// Points of ground in one strip along a place, relative to the place.
 struct GroundStrip {
   double sum_z_m = 0.0;
   double sum_along_m = 0.0;
+  double sum_left_m = 0.0;
   std::uint32_t count = 0;
+
+  [[nodiscard]] double z_m() const { return sum_z_m / count; }
+  [[nodiscard]] double along_m() const { return sum_along_m / count; }
+  [[nodiscard]] double left_m() const { return sum_left_m / count; }
 };
 
 /// What all scans saw at the places of a path.
@@ -67,12 +72,9 @@ class RoadSightings {
   [[nodiscard]] const EdgeSightings& edges(std::size_t place, EdgeSide side) const {
     return edges_[2 * place + (side == EdgeSide::left ? 0 : 1)];
   }
-  /// From right to left; strip i has its middle at `strip_left_m(i)`.
+  /// From right to left, each `kStrip_m` wide.
   [[nodiscard]] std::span<const GroundStrip> ground(std::size_t place) const {
     return {ground_.data() + place * strips_, strips_};
-  }
-  [[nodiscard]] double strip_left_m(std::size_t strip) const {
-    return (static_cast<double>(strip) + 0.5) * kStrip_m - half_width_m_;
   }
   /// Ground near the path, one for every look.
   [[nodiscard]] std::span<const GroundStrip> looks(std::size_t place) const {

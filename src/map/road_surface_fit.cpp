@@ -23,7 +23,8 @@ constexpr std::uint32_t kLeastPoints = 3;
 constexpr std::size_t kLeastStrips = 4;
 /// Of the height of a strip: ruts, stones, the ground stage; and neighbours deviate alike.
 constexpr double kStripScatter_m = 0.02;
-constexpr double kStripsAlike = 3.0;
+constexpr double kAlike = 3.0;
+constexpr double kSigmaOverMad = 1.4826;  // of normal errors
 /// 0.1 degrees: roll and pitch of the poses and of the mount, which all looks share.
 constexpr double kSlopeFloor = 0.0017;
 /// Height of a place: of one look, and what all looks share within the window.
@@ -56,38 +57,34 @@ struct Sample {
   double y = 0.0;
 };
 
-struct FittedSlope {
-  double slope = 0.0;
-  double scatter = 0.0;
-  double spread = 0.0;  ///< weighted sum of squares of x about its mean
-};
-
-/// The straight line that most samples agree on: what deviates by more than twice the scatter loses its say.
-std::optional<FittedSlope> fit_slope(std::span<const Sample> samples, double least_scatter) {
+/// The slope that most samples agree on: what deviates by more than twice the scatter loses its say. Its sigma is that
+/// of the scatter, of which neighbours share some, and the floor.
+std::optional<Measure> measure_slope(std::span<const Sample> samples, double least_scatter) {
   constexpr int kRounds = 5;
   std::vector<double> weights(samples.size(), 1.0);
-  FittedSlope fitted;
+  std::vector<double> off(samples.size());
+  double slope = 0.0;
+  double sigma = 0.0;
   for (int round = 0; round < kRounds; ++round) {
     SlopeFit fit;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       fit.add(samples[i].x, samples[i].y, weights[i]);
     }
-    fitted.spread = fit.spread();
-    if (!(fitted.spread > 0.0)) {
+    if (!(fit.spread() > 0.0)) {
       return std::nullopt;
     }
-    fitted.slope = fit.slope();
-    std::vector<double> off(samples.size());
+    slope = fit.slope();
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      off[i] = std::abs(samples[i].y - fit.height() - fitted.slope * samples[i].x);
+      off[i] = std::abs(samples[i].y - fit.height() - slope * samples[i].x);
     }
-    fitted.scatter = std::max(1.4826 * median_of(off), least_scatter);
+    const double scatter = std::max(kSigmaOverMad * median_of(off), least_scatter);
+    sigma = scatter * std::sqrt(kAlike / fit.spread());
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double share = off[i] / (2.0 * fitted.scatter);
+      const double share = off[i] / (2.0 * scatter);
       weights[i] = 1.0 / ((1.0 + share * share) * (1.0 + share * share));
     }
   }
-  return fitted;
+  return Measure{slope, std::hypot(sigma, kSlopeFloor)};
 }
 
 /// How far the road reaches to a side of every place.
@@ -119,49 +116,49 @@ std::vector<double> road_reach_m(std::span<const RoadPlace> places, std::span<co
 std::optional<Measure> fit_cross_fall(const RoadSightings& seen, std::size_t place, double left_m, double right_m,
                                       double grade) {
   std::vector<Sample> samples;
-  for (std::size_t i = 0; i < seen.ground(place).size(); ++i) {
-    const GroundStrip& strip = seen.ground(place)[i];
-    const double x = seen.strip_left_m(i);
-    const double half = 0.5 * RoadSightings::kStrip_m;
-    if (strip.count >= kLeastPoints && x + half <= left_m && x - half >= -right_m) {
-      samples.push_back({x, (strip.sum_z_m - grade * strip.sum_along_m) / strip.count});
+  for (const GroundStrip& strip : seen.ground(place)) {
+    if (strip.count >= kLeastPoints && strip.left_m() <= left_m && strip.left_m() >= -right_m) {
+      samples.push_back({strip.left_m(), strip.z_m() - grade * strip.along_m()});
     }
   }
   if (samples.size() < kLeastStrips) {
     return std::nullopt;
   }
-  const auto fit = fit_slope(samples, kStripScatter_m);
-  if (!fit) {
-    return std::nullopt;
-  }
-  const double random = fit->scatter * std::sqrt(kStripsAlike / fit->spread);
   // What rises to the left falls to the right.
-  return Measure{fit->slope, std::hypot(random, kSlopeFloor)};
+  return measure_slope(samples, kStripScatter_m);
 }
 
-std::optional<double> path_height_m(const RoadSightings& seen, std::size_t place) {
-  double sum_m = 0.0;
-  std::size_t looks = 0;
+/// Height of the road where the path lies, of all looks alike, over the place along the path where it was seen.
+struct PathHeight {
+  double along_m = 0.0;
+  double above_m = 0.0;
+};
+
+std::optional<PathHeight> path_height(const RoadSightings& seen, std::size_t place, double cross_fall) {
+  PathHeight sum;
+  int looks = 0;
   for (const GroundStrip& look : seen.looks(place)) {
     if (look.count >= kLeastPoints) {
-      sum_m += look.sum_z_m / look.count;
+      sum.along_m += look.along_m();
+      sum.above_m += look.z_m() - cross_fall * look.left_m();
       ++looks;
     }
   }
-  return looks > 0 ? std::optional(sum_m / static_cast<double>(looks)) : std::nullopt;
+  return looks > 0 ? std::optional(PathHeight{sum.along_m / looks, sum.above_m / looks}) : std::nullopt;
 }
 
-std::optional<Measure> fit_grade(std::span<const RoadPlace> places, std::span<const std::optional<double>> heights_m,
-                                 std::size_t place) {
+using PathHeights = std::vector<std::optional<PathHeight>>;
+
+std::optional<Measure> fit_grade(std::span<const RoadPlace> places, const PathHeights& heights, std::size_t place) {
   std::vector<Sample> samples;
   const auto visit = [&](std::size_t i) {
     const double along_m = places[i].chainage_m - places[place].chainage_m;
     if (places[i].piece != places[place].piece || std::abs(along_m) > kHalfWindow_m + 1e-6) {
       return false;
     }
-    if (heights_m[i]) {
+    if (heights[i]) {
       const double rise_m = places[i].position_m.z() - places[place].position_m.z();
-      samples.push_back({along_m, *heights_m[i] + rise_m});
+      samples.push_back({along_m + heights[i]->along_m, rise_m + heights[i]->above_m});
     }
     return true;
   };
@@ -174,29 +171,37 @@ std::optional<Measure> fit_grade(std::span<const RoadPlace> places, std::span<co
   if (samples.size() < kLeastPlaces || most->x - least->x < kLeastWindow_m) {
     return std::nullopt;
   }
-  const auto fit = fit_slope(samples, kLeastHeightScatter_m);
-  if (!fit) {
-    return std::nullopt;
+  return measure_slope(samples, kLeastHeightScatter_m);
+}
+
+std::vector<std::optional<Measure>> fit_grades(const RoadSightings& seen, std::span<const RoadSlopes> slopes) {
+  PathHeights heights;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    heights.push_back(path_height(seen, i, slopes[i].cross_fall ? slopes[i].cross_fall->value : 0.0));
   }
-  const double random = fit->scatter * std::sqrt(kStripsAlike / fit->spread);
-  return Measure{fit->slope, std::hypot(random, kSlopeFloor)};
+  std::vector<std::optional<Measure>> grades;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    grades.push_back(fit_grade(seen.places(), heights, i));
+  }
+  return grades;
 }
 
 }  // namespace
 
 std::vector<RoadSlopes> measure_slopes(const RoadSightings& seen, std::span<const RoadCrossings> crossings) {
   const std::vector<RoadPlace>& places = seen.places();
-  std::vector<std::optional<double>> heights_m(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    heights_m[i] = path_height_m(seen, i);
-  }
   const std::vector<double> left_m = road_reach_m(places, crossings, &RoadCrossings::left_m);
   const std::vector<double> right_m = road_reach_m(places, crossings, &RoadCrossings::right_m);
   std::vector<RoadSlopes> slopes(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    slopes[i].grade = fit_grade(places, heights_m, i);
-    const double grade = slopes[i].grade ? slopes[i].grade->value : 0.0;
-    slopes[i].cross_fall = fit_cross_fall(seen, i, left_m[i], right_m[i], grade);
+  // Each slope takes the other out of its heights.
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<std::optional<Measure>> grades = fit_grades(seen, slopes);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      slopes[i].grade = grades[i];
+      const double grade = grades[i] ? grades[i]->value : 0.0;
+      slopes[i].cross_fall = fit_cross_fall(seen, i, left_m[i], right_m[i], grade);
+    }
   }
   return slopes;
 }
