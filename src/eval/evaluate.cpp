@@ -11,6 +11,7 @@
 #include "berm/io/file_reader.hpp"
 #include "berm/io/label_file.hpp"
 #include "berm/io/trajectory_file.hpp"
+#include "evaluate_edges.hpp"
 
 namespace berm {
 namespace {
@@ -78,7 +79,11 @@ class Evaluator {
     }
     give_reasons();
     judge_trajectory();
-    evaluation_.left_out.emplace("edges", "the run has no edges.csv");
+    EdgeEvaluation edges = evaluate_edges(run_folder_, recording_);
+    evaluation_.edges = edges.score;
+    if (!edges.score) {
+      evaluation_.left_out.emplace("edges", edges.reason);
+    }
     return std::move(evaluation_);
   }
 

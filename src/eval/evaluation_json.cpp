@@ -66,6 +66,22 @@ Json describe(const TrajectoryEvaluation& trajectory) {
   return json;
 }
 
+Json describe(const EdgeScore& edges) {
+  Json json = Json::object();
+  put(json, "precision", edges.precision);
+  put(json, "recall", edges.recall);
+  put(json, "f1", edges.f1);
+  put(json, "lateral_median_m", edges.lateral_median_m);
+  put(json, "lateral_p95_m", edges.lateral_p95_m);
+  put(json, "wrong_side_share", edges.wrong_side_share);
+  json["places"] = {{"found", edges.found},
+                    {"found_right", edges.found_right},
+                    {"truth", edges.truth},
+                    {"truth_found", edges.truth_found},
+                    {"wrong_side", edges.wrong_side}};
+  return json;
+}
+
 Json describe(const std::vector<FailedScan>& failed) {
   Json list = Json::array();
   for (const FailedScan& scan : failed) {
@@ -89,6 +105,9 @@ std::string to_json(const Evaluation& evaluation, const std::filesystem::path& r
   put(json, evaluation.labels);
   if (evaluation.trajectory) {
     json["trajectory"] = describe(*evaluation.trajectory);
+  }
+  if (evaluation.edges) {
+    json["edges"] = describe(*evaluation.edges);
   }
   json["left_out"] = evaluation.left_out;
   json["failed"] = describe(evaluation.failed);

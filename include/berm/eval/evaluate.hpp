@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "berm/eval/edge_metrics.hpp"
 #include "berm/eval/label_metrics.hpp"
 #include "berm/eval/trajectory_metrics.hpp"
 #include "berm/io/recording.hpp"
@@ -46,6 +47,7 @@ struct Evaluation {
   LabelEvaluation labels;             ///< over all judged scans: counts added up
   std::vector<ScanEvaluation> scans;  ///< in order, if asked for
   std::optional<TrajectoryEvaluation> trajectory;
+  std::optional<EdgeScore> edges;
   std::map<std::string, std::string> left_out;  ///< metric and why it is not there
   std::vector<std::string> notes;
 
