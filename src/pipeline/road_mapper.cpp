@@ -50,10 +50,8 @@ Trajectory path_of(const Trajectory& trajectory, const PoseGuard& guard, Stamp f
 RoadMapper::RoadMapper(const Machine& machine, const RunPoses& poses, EdgeMap map, Stamp first_ns, Stamp last_ns)
     : trajectory_(poses.trajectory),
       guard_(poses.trajectory, machine.pose_guard, poses.poor_fix_stamps),
-      map_(std::move(map)) {
-  const Trajectory path = path_of(trajectory_, guard_, first_ns, last_ns);
-  static_cast<void>(path);
-}
+      map_(std::move(map)),
+      survey_(machine.road, path_of(trajectory_, guard_, first_ns, last_ns), machine.pose_guard) {}
 
 void RoadMapper::place(const Scan& scan, const EdgeResult& found, PlacedScan& placed) const {
   placed.stamp_ns = scan.stamp_ns;
@@ -83,7 +81,7 @@ void RoadMapper::place(const Scan& scan, const EdgeResult& found, PlacedScan& pl
     }
     const Eigen::Vector3d position_m = to_world_m(edge.x_m, edge.y_m, edge.z_m, edge.time_s);
     placed.edges.push_back({position_m, edge.side});
-    placed.surveyed.push_back({position_m, edge.height_m, edge.width_m});
+    placed.surveyed.push_back({position_m, edge.height_m, edge.width_m, edge.kind});
   }
   for (const std::uint32_t i : found.plain) {
     const float time_s = points.time.empty() ? 0.0F : points.time[i];
@@ -102,11 +100,7 @@ void RoadMapper::add(const PlacedScan& placed) {
   }
   ++counts_.mapped;
   counts_.left_out += placed.left_out + map_.add_scan(placed.edges, placed.plain_m);
-}
-
-std::vector<RoadStation> RoadMapper::stations(std::span<const EdgeLine> lines) const {
-  static_cast<void>(lines);
-  return {};
+  survey_.add_scan(placed.stamp_ns, placed.surveyed, placed.plain_m);
 }
 
 }  // namespace berm

@@ -46,7 +46,9 @@ class RoadMapper {
 
   [[nodiscard]] const EdgeMap& map() const { return map_; }
   [[nodiscard]] const PoseGuard& guard() const { return guard_; }
-  [[nodiscard]] std::vector<RoadStation> stations(std::span<const EdgeLine> lines) const;
+  [[nodiscard]] std::vector<RoadStation> stations(std::span<const EdgeLine> lines) const {
+    return survey_.stations(lines);
+  }
   /// Of scans and points; nothing of the map and its lines.
   [[nodiscard]] const EdgeCounts& counts() const { return counts_; }
 
@@ -54,6 +56,7 @@ class RoadMapper {
   const Trajectory& trajectory_;
   PoseGuard guard_;
   EdgeMap map_;
+  RoadSurvey survey_;
   EdgeCounts counts_;
 };
 
