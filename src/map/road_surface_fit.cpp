@@ -22,13 +22,11 @@ constexpr double kBlindSide_m = 5.0;
 constexpr std::uint32_t kLeastPoints = 3;
 constexpr std::size_t kLeastStrips = 4;
 /// Of the height of a strip: ruts, stones, the ground stage; and neighbours deviate alike.
-constexpr double kStripScatter_m = 0.02;
-constexpr double kAlike = 3.0;
+constexpr double kStripScatter_m = 0.005;
+constexpr double kAlike = 2.5;
 constexpr double kSigmaOverMad = 1.4826;  // of normal errors
-/// 0.1 degrees: roll and pitch of the poses and of the mount, which all looks share.
-constexpr double kSlopeFloor = 0.0017;
 /// Height of a place: of one look, and what all looks share within the window.
-constexpr double kLeastHeightScatter_m = 0.02;
+constexpr double kLeastHeightScatter_m = 0.010;
 
 /// A weighted straight line y = height + slope x.
 class SlopeFit {
@@ -59,7 +57,7 @@ struct Sample {
 
 /// The slope that most samples agree on: what deviates by more than twice the scatter loses its say. Its sigma is that
 /// of the scatter, of which neighbours share some, and the floor.
-std::optional<Measure> measure_slope(std::span<const Sample> samples, double least_scatter) {
+std::optional<Measure> measure_slope(std::span<const Sample> samples, double least_scatter, double floor) {
   constexpr int kRounds = 5;
   std::vector<double> weights(samples.size(), 1.0);
   std::vector<double> off(samples.size());
@@ -84,7 +82,7 @@ std::optional<Measure> measure_slope(std::span<const Sample> samples, double lea
       weights[i] = 1.0 / ((1.0 + share * share) * (1.0 + share * share));
     }
   }
-  return Measure{slope, std::hypot(sigma, kSlopeFloor)};
+  return Measure{slope, std::hypot(sigma, floor)};
 }
 
 /// How far the road reaches to a side of every place.
@@ -114,7 +112,7 @@ std::vector<double> road_reach_m(std::span<const RoadPlace> places, std::span<co
 }
 
 std::optional<Measure> fit_cross_fall(const RoadSightings& seen, std::size_t place, double left_m, double right_m,
-                                      double grade) {
+                                      double grade, double floor) {
   std::vector<Sample> samples;
   for (const GroundStrip& strip : seen.ground(place)) {
     if (strip.count >= kLeastPoints && strip.left_m() <= left_m && strip.left_m() >= -right_m) {
@@ -125,7 +123,7 @@ std::optional<Measure> fit_cross_fall(const RoadSightings& seen, std::size_t pla
     return std::nullopt;
   }
   // What rises to the left falls to the right.
-  return measure_slope(samples, kStripScatter_m);
+  return measure_slope(samples, kStripScatter_m, floor);
 }
 
 /// Height of the road where the path lies, of all looks alike, over the place along the path where it was seen.
@@ -149,7 +147,8 @@ std::optional<PathHeight> path_height(const RoadSightings& seen, std::size_t pla
 
 using PathHeights = std::vector<std::optional<PathHeight>>;
 
-std::optional<Measure> fit_grade(std::span<const RoadPlace> places, const PathHeights& heights, std::size_t place) {
+std::optional<Measure> fit_grade(std::span<const RoadPlace> places, const PathHeights& heights, std::size_t place,
+                                 double floor) {
   std::vector<Sample> samples;
   const auto visit = [&](std::size_t i) {
     const double along_m = places[i].chainage_m - places[place].chainage_m;
@@ -171,24 +170,26 @@ std::optional<Measure> fit_grade(std::span<const RoadPlace> places, const PathHe
   if (samples.size() < kLeastPlaces || most->x - least->x < kLeastWindow_m) {
     return std::nullopt;
   }
-  return measure_slope(samples, kLeastHeightScatter_m);
+  return measure_slope(samples, kLeastHeightScatter_m, floor);
 }
 
-std::vector<std::optional<Measure>> fit_grades(const RoadSightings& seen, std::span<const RoadSlopes> slopes) {
+std::vector<std::optional<Measure>> fit_grades(const RoadSightings& seen, std::span<const RoadSlopes> slopes,
+                                               double floor) {
   PathHeights heights;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     heights.push_back(path_height(seen, i, slopes[i].cross_fall ? slopes[i].cross_fall->value : 0.0));
   }
   std::vector<std::optional<Measure>> grades;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    grades.push_back(fit_grade(seen.places(), heights, i));
+    grades.push_back(fit_grade(seen.places(), heights, i, floor));
   }
   return grades;
 }
 
 }  // namespace
 
-std::vector<RoadSlopes> measure_slopes(const RoadSightings& seen, std::span<const RoadCrossings> crossings) {
+std::vector<RoadSlopes> measure_slopes(const RoadSightings& seen, std::span<const RoadCrossings> crossings,
+                                       double slope_floor) {
   const std::vector<RoadPlace>& places = seen.places();
   const std::vector<double> left_m = road_reach_m(places, crossings, &RoadCrossings::left_m);
   const std::vector<double> right_m = road_reach_m(places, crossings, &RoadCrossings::right_m);
@@ -196,11 +197,11 @@ std::vector<RoadSlopes> measure_slopes(const RoadSightings& seen, std::span<cons
   // Each slope takes the other out of its heights.
   constexpr int kRounds = 2;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<std::optional<Measure>> grades = fit_grades(seen, slopes);
+    const std::vector<std::optional<Measure>> grades = fit_grades(seen, slopes, slope_floor);
     for (std::size_t i = 0; i < places.size(); ++i) {
       slopes[i].grade = grades[i];
       const double grade = grades[i] ? grades[i]->value : 0.0;
-      slopes[i].cross_fall = fit_cross_fall(seen, i, left_m[i], right_m[i], grade);
+      slopes[i].cross_fall = fit_cross_fall(seen, i, left_m[i], right_m[i], grade, slope_floor);
     }
   }
   return slopes;

@@ -16,8 +16,8 @@ struct RoadSlopes {
   std::optional<Measure> cross_fall;
 };
 
-/// Slopes at every place. `crossings`: of every place; the road lies between them.
+/// Slopes at every place. `crossings`: of every place; the road lies between them. `slope_floor`: no sigma is smaller.
 [[nodiscard]] std::vector<RoadSlopes> measure_slopes(const RoadSightings& seen,
-                                                     std::span<const RoadCrossings> crossings);
+                                                     std::span<const RoadCrossings> crossings, double slope_floor);
 
 }  // namespace berm

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "road_crossings.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kSure = 2.0;  // standard deviations
 constexpr double kPercent = 100.0;
+constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Whether `measure` is at least `limit`.
 RuleVerdict judge_least(const std::optional<Measure>& measure, double limit) {
@@ -38,6 +40,12 @@ RuleVerdict judge_grade(const std::optional<Measure>& measure, double limit) {
     return RuleVerdict::uncertain;
   }
   return over <= 0.0 ? RuleVerdict::holds : RuleVerdict::broken;
+}
+
+/// What edges are wrong by is alike on both sides: a toe that is found too early makes both nearer. Hence the sum, not
+/// the root of squares.
+double width_sigma_m(double left_sigma_m, double right_sigma_m) {
+  return left_sigma_m + right_sigma_m;
 }
 
 void judge(const RoadConfig& config, RoadStation& station) {
@@ -83,7 +91,8 @@ std::vector<RoadStation> RoadSurvey::stations(std::span<const EdgeLine> lines) c
   for (const RoadPlace& place : seen.places()) {
     crossings.push_back(index.find(place, state_->config.reach_m));
   }
-  const std::vector<RoadSlopes> slopes = measure_slopes(seen, crossings);
+  const std::vector<RoadSlopes> slopes =
+      measure_slopes(seen, crossings, std::tan(state_->config.attitude_sigma_deg * kDegree));
   std::vector<RoadStation> stations(seen.places().size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const RoadPlace& place = seen.places()[i];
@@ -96,7 +105,7 @@ std::vector<RoadStation> RoadSurvey::stations(std::span<const EdgeLine> lines) c
     station.right = measure_side(seen, crossings, i, EdgeSide::right);
     if (station.left.edge_m && station.right.edge_m) {
       station.width_m = Measure{station.left.edge_m->value + station.right.edge_m->value,
-                                std::hypot(station.left.edge_m->sigma, station.right.edge_m->sigma)};
+                                width_sigma_m(station.left.edge_m->sigma, station.right.edge_m->sigma)};
     }
     station.grade = slopes[i].grade;
     station.cross_fall = slopes[i].cross_fall;

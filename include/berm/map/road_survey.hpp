@@ -20,6 +20,7 @@ namespace berm {
 struct RoadConfig {
   double spacing_m = 1.0;
   double reach_m = 30.0;
+  double attitude_sigma_deg = 0.03;
   double vehicle_width_m = 0.0;
   double min_width_vehicles = 3.5;
   double tyre_height_m = 0.0;
@@ -29,6 +30,8 @@ struct RoadConfig {
   static void fields(auto&& field) {
     field("spacing_m", &RoadConfig::spacing_m, Range{0.2, 100.0}, "between stations along the driven path");
     field("reach_m", &RoadConfig::reach_m, Range{2.0, 100.0}, "edges are looked for this far to either side");
+    field("attitude_sigma_deg", &RoadConfig::attitude_sigma_deg, Range{0.0, 5.0},
+          "of roll and pitch, poses and mount together: what slopes cannot be surer of");
     field("vehicle_width_m", &RoadConfig::vehicle_width_m, Range{0.0, 20.0},
           "of the widest truck on the road; 0: unknown, the width is not judged");
     field("min_width_vehicles", &RoadConfig::min_width_vehicles, Range{1.0, 10.0},
