@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "road_median.hpp"
 
@@ -25,8 +26,9 @@ constexpr std::size_t kLeastStrips = 4;
 constexpr double kStripScatter_m = 0.005;
 constexpr double kAlike = 2.5;
 constexpr double kSigmaOverMad = 1.4826;  // of normal errors
-/// Height of a place: of one look, and what all looks share within the window.
+/// Of the height of a place, and of that in one look.
 constexpr double kLeastHeightScatter_m = 0.010;
+constexpr double kLeastLookScatter_m = 0.020;
 
 /// A weighted straight line y = height + slope x.
 class SlopeFit {
@@ -130,19 +132,39 @@ std::optional<Measure> fit_cross_fall(const RoadSightings& seen, std::size_t pla
 struct PathHeight {
   double along_m = 0.0;
   double above_m = 0.0;
+  double scatter_m = 0.0;  ///< of the looks
+  int looks = 0;
 };
 
-std::optional<PathHeight> path_height(const RoadSightings& seen, std::size_t place, double cross_fall) {
-  PathHeight sum;
-  int looks = 0;
+std::optional<PathHeight> path_height(const RoadSightings& seen, std::size_t place, double grade, double cross_fall) {
+  PathHeight height;
+  std::vector<double> level_m;
   for (const GroundStrip& look : seen.looks(place)) {
     if (look.count >= kLeastPoints) {
-      sum.along_m += look.along_m();
-      sum.above_m += look.z_m() - cross_fall * look.left_m();
-      ++looks;
+      const double above_m = look.z_m() - cross_fall * look.left_m();
+      height.along_m += look.along_m();
+      height.above_m += above_m;
+      level_m.push_back(above_m - grade * look.along_m());
     }
   }
-  return looks > 0 ? std::optional(PathHeight{sum.along_m / looks, sum.above_m / looks}) : std::nullopt;
+  height.looks = static_cast<int>(level_m.size());
+  if (height.looks == 0) {
+    return std::nullopt;
+  }
+  height.along_m /= height.looks;
+  height.above_m /= height.looks;
+  const double middle_m = median_of(level_m);
+  for (double& off_m : level_m) {
+    off_m = std::abs(off_m - middle_m);
+  }
+  height.scatter_m = std::max(kSigmaOverMad * median_of(std::move(level_m)), kLeastLookScatter_m);
+  return height;
+}
+
+/// Along the window some looks are replaced by others, with other errors: the rise that this feigns.
+double feigned_slope(const PathHeight& height) {
+  const double replaced = 2.0 * kHalfWindow_m / kLook_m;
+  return height.scatter_m * std::sqrt(2.0 * replaced) / (height.looks * 2.0 * kHalfWindow_m);
 }
 
 using PathHeights = std::vector<std::optional<PathHeight>>;
@@ -167,17 +189,21 @@ std::optional<Measure> fit_grade(std::span<const RoadPlace> places, const PathHe
   }
   const auto [least, most] =
       std::minmax_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.x < b.x; });
-  if (samples.size() < kLeastPlaces || most->x - least->x < kLeastWindow_m) {
+  if (!heights[place] || samples.size() < kLeastPlaces || most->x - least->x < kLeastWindow_m) {
     return std::nullopt;
   }
-  return measure_slope(samples, kLeastHeightScatter_m, floor);
+  return measure_slope(samples, kLeastHeightScatter_m, std::hypot(floor, feigned_slope(*heights[place])));
+}
+
+double value_or_level(const std::optional<Measure>& slope) {
+  return slope ? slope->value : 0.0;
 }
 
 std::vector<std::optional<Measure>> fit_grades(const RoadSightings& seen, std::span<const RoadSlopes> slopes,
                                                double floor) {
   PathHeights heights;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    heights.push_back(path_height(seen, i, slopes[i].cross_fall ? slopes[i].cross_fall->value : 0.0));
+    heights.push_back(path_height(seen, i, value_or_level(slopes[i].grade), value_or_level(slopes[i].cross_fall)));
   }
   std::vector<std::optional<Measure>> grades;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
@@ -200,8 +226,8 @@ std::vector<RoadSlopes> measure_slopes(const RoadSightings& seen, std::span<cons
     const std::vector<std::optional<Measure>> grades = fit_grades(seen, slopes, slope_floor);
     for (std::size_t i = 0; i < places.size(); ++i) {
       slopes[i].grade = grades[i];
-      const double grade = grades[i] ? grades[i]->value : 0.0;
-      slopes[i].cross_fall = fit_cross_fall(seen, i, left_m[i], right_m[i], grade, slope_floor);
+      slopes[i].cross_fall =
+          fit_cross_fall(seen, i, left_m[i], right_m[i], value_or_level(slopes[i].grade), slope_floor);
     }
   }
   return slopes;

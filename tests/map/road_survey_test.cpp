@@ -105,7 +105,9 @@ TEST(RoadSurvey, SaysHowSureItIs) {
     const test::ScanNoise noise{
         .ground_m = 0.03, .edge_m = 0.15, .berm_m = 0.2, .shared_m = 0.15, .shared_slope = 0.004};
     const auto scans = test::made_scans(road, 0.0, 100.0, noise, seed);
-    for (const RoadStation& station : test::survey({}, road.path(0.0, 100.0), scans, road.lines(-5.0, 105.0))) {
+    RoadConfig config;
+    config.attitude_sigma_deg = 0.066;  // 0.004 of each of twelve looks
+    for (const RoadStation& station : test::survey(config, road.path(0.0, 100.0), scans, road.lines(-5.0, 105.0))) {
       grade.add(station.grade, road.grade);
       cross_fall.add(station.cross_fall, road.cross_fall);
       height.add(station.left.berm_height_m, road.left_berm_m);
