@@ -7,12 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "berm_height.hpp"
+
 namespace berm::bench {
 namespace {
 
 constexpr double kNear_m = 0.5;
 constexpr double kBeside_m = 25.0;
-constexpr double kBermReach_m = 4.0;  // across the berms of the scenarios
 
 struct Nearest {
   double distance_m = std::numeric_limits<double>::max();
@@ -42,42 +43,6 @@ bool is_beside(const Eigen::Vector3d& p, const std::vector<Eigen::Vector3d>& pat
   return std::any_of(path_m.begin(), path_m.end(), [&](const Eigen::Vector3d& q) {
     return (p.head<2>() - q.head<2>()).squaredNorm() < kBeside_m * kBeside_m;
   });
-}
-
-double height_at(const HeightRaster& terrain, const Eigen::Vector2d& p) {
-  const double column = (p.x() - terrain.origin_x_m) / terrain.cell_m - 0.5;
-  const double row = (p.y() - terrain.origin_y_m) / terrain.cell_m - 0.5;
-  if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(terrain.columns - 1) &&
-        row < static_cast<double>(terrain.rows - 1))) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const auto c = static_cast<std::size_t>(column);
-  const auto r = static_cast<std::size_t>(row);
-  const double u = column - static_cast<double>(c);
-  const double v = row - static_cast<double>(r);
-  return (1 - v) * ((1 - u) * double{terrain.at(c, r)} + u * double{terrain.at(c + 1, r)}) +
-         v * ((1 - u) * double{terrain.at(c, r + 1)} + u * double{terrain.at(c + 1, r + 1)});
-}
-
-/// Height of the berm across the edge at a place: up to where it falls again by a tenth of a metre; none on a wall.
-std::optional<double> true_height_m(const HeightRaster& terrain, const Nearest& edge) {
-  const Eigen::Vector2d left(-edge.along.y(), edge.along.x());
-  std::optional<double> best;
-  for (const double sign : {1.0, -1.0}) {
-    const double foot = height_at(terrain, edge.place);
-    double top = foot;
-    for (double s = 0.25; s <= kBermReach_m; s += 0.25) {
-      const double z = height_at(terrain, edge.place + sign * s * left);
-      if (!(z > top - 0.1)) {
-        if (top - foot > 0.2 && (!best || top - foot > *best)) {
-          best = top - foot;
-        }
-        break;
-      }
-      top = std::max(top, z);
-    }
-  }
-  return best;
 }
 
 double quantile(std::vector<double>& values, double share) {
@@ -125,7 +90,7 @@ EdgeScore score(const std::vector<WorldEdge>& found, const RoadTruth& truth, std
     near.push_back(nearest.distance_m);
     wrong += nearest.left != (edge.point.side == EdgeSide::left) ? 1U : 0U;
     if (truth.terrain && edge.point.height_m > 0.0F) {
-      if (const std::optional<double> height = true_height_m(*truth.terrain, nearest)) {
+      if (const std::optional<double> height = true_berm_height_m(*truth.terrain, nearest.place, nearest.along)) {
         heights.push_back(std::abs(double{edge.point.height_m} - *height));
       }
     }
@@ -150,7 +115,8 @@ void dump(const std::filesystem::path& file, const std::vector<WorldEdge>& found
   out << "x,y,z,distance,height,width,confidence,left,drop,true_left,true_height,sx,sy,t\n";
   for (const WorldEdge& edge : found) {
     const Nearest nearest = nearest_edge(edge.place_m, truth.edges);
-    const std::optional<double> height = truth.terrain ? true_height_m(*truth.terrain, nearest) : std::nullopt;
+    const std::optional<double> height =
+        truth.terrain ? true_berm_height_m(*truth.terrain, nearest.place, nearest.along) : std::nullopt;
     out << fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f}\n",
                        edge.place_m.x(), edge.place_m.y(), edge.place_m.z(), nearest.distance_m, edge.point.height_m,
                        edge.point.width_m, edge.point.confidence, edge.point.side == EdgeSide::left ? 1 : 0,

@@ -7,6 +7,8 @@
 #include "edge_evidence.hpp"
 #include "ridge_fit.hpp"
 #include "ridge_tracer.hpp"
+#include "rows_behind.hpp"
+#include "trace_joints.hpp"
 
 namespace berm {
 namespace {
@@ -25,7 +27,7 @@ std::vector<EdgeSide> sides_along(const Places& places) {
   std::array<double, 2> cost{};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Ridge& ridge = places[i].ridge;
-    const double right = ridge.right / ridge.hits();
+    const double right = ridge.hits() > 0.0 ? ridge.right / ridge.hits() : 0.5;
     const std::array<double, 2> against{right * kTraceStep_m, (1.0 - right) * kTraceStep_m};
     std::array<double, 2> next{};
     for (std::size_t side = 0; side < 2; ++side) {
@@ -117,7 +119,10 @@ std::vector<EdgeLine> extract_lines(const EdgeMap& map, const EdgeLinesConfig& c
   const EdgeEvidence evidence(map);
   const EdgeOdds odds = edge_odds(map.config());
   std::vector<EdgeLine> lines;
-  for (Trace& trace : RidgeTracer(map, evidence, config.max_gap_m).trace_all()) {
+  std::vector<Trace> traces = RidgeTracer(map, evidence).trace_all();
+  join_gaps(traces, map, config.max_gap_m, config.max_hidden_m);
+  join_ends(traces);
+  for (Trace& trace : traces) {
     if (trace.closed) {
       trace.places.push_back(trace.places.front());
     }
@@ -144,6 +149,7 @@ std::vector<EdgeLine> extract_lines(const EdgeMap& map, const EdgeLinesConfig& c
       lines.push_back(std::move(line));
     }
   }
+  drop_rows_behind(lines);
   return lines;
 }
 

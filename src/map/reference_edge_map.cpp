@@ -50,4 +50,17 @@ bool ReferenceEdgeMap::is_edge(const VoxelKey& key, EdgeSide side) const {
   return log_odds(key, side) >= static_cast<float>(odds_.edge);
 }
 
+EdgeMap ReferenceEdgeMap::edges() const {
+  EdgeMap map(config_);
+  for (const VoxelKey& key : voxels_.sorted_keys()) {
+    for (const EdgeSide side : {EdgeSide::left, EdgeSide::right}) {
+      const MappedEdge edge{voxel_center_m(key, config_.voxel_m), side};
+      for (double rest = is_edge(key, side) ? log_odds(key, side) : 0.0; rest > 0.0; rest -= odds_.hit) {
+        map.add_scan(std::span(&edge, 1), {});
+      }
+    }
+  }
+  return map;
+}
+
 }  // namespace berm

@@ -26,6 +26,8 @@ constexpr double kMaxShift_m = 0.2;
 constexpr double kMaxTurn_rad = 0.35;
 /// The same per metre of a gap.
 constexpr double kShiftPerMetre = 0.2;
+/// Farther ahead a fit may catch the toe of the end of a row, which turns off the road: see `join_gaps`.
+constexpr double kLookAhead_m = 1.0;
 
 double aside_m(const Ridge& frame, const Eigen::Vector3d& place_m) {
   const Eigen::Vector3d to = place_m - frame.position_m;
@@ -53,24 +55,23 @@ const Ridge* find_meeting(const std::vector<Trace>& traces, std::size_t own, con
   return nearest;
 }
 
+}  // namespace
+
 Ridge turned_back(Ridge ridge) {
   ridge.direction = -ridge.direction;
   ridge.bend_per_m = -ridge.bend_per_m;
   return ridge;
 }
 
-}  // namespace
-
 double ridge_log_odds(const Ridge& ridge, const EdgeOdds& odds) {
   return std::clamp(kStretch * ridge.reach_m * (ridge.hits() * odds.hit + ridge.through * odds.miss), odds.min,
                     odds.max);
 }
 
-RidgeTracer::RidgeTracer(const EdgeMap& map, const EdgeEvidence& evidence, double max_gap_m)
+RidgeTracer::RidgeTracer(const EdgeMap& map, const EdgeEvidence& evidence)
     : map_(map),
       evidence_(evidence),
       odds_(edge_odds(map.config())),
-      max_gap_m_(max_gap_m),
       taken_(evidence.samples().size(), 0),
       visit_of_(evidence.samples().size(), 0),
       step_of_(evidence.samples().size(), 0) {}
@@ -96,7 +97,6 @@ std::vector<Trace> RidgeTracer::trace_all() {
     traces.push_back(trace(start));
     claim(traces.back());
   }
-  join_ends(traces);
   return traces;
 }
 
@@ -178,7 +178,7 @@ RidgeTracer::End RidgeTracer::walk(const Ridge& start, std::int32_t step_sign, s
 }
 
 bool RidgeTracer::find_next(const Ridge& head, Trace::Place& next) const {
-  for (double ahead_m = kTraceStep_m; ahead_m <= std::max(max_gap_m_, kTraceStep_m); ahead_m += kTraceStep_m) {
+  for (double ahead_m = kTraceStep_m; ahead_m <= kLookAhead_m; ahead_m += kTraceStep_m) {
     const bool gap = ahead_m > kTraceStep_m;
     Ridge from = head;
     if (gap) {

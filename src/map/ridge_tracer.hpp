@@ -25,7 +25,7 @@ inline constexpr double kTraceStep_m = 0.25;
 class RidgeTracer {
  public:
   /// `evidence` is that of `map`; both must outlive the tracer.
-  RidgeTracer(const EdgeMap& map, const EdgeEvidence& evidence, double max_gap_m);
+  RidgeTracer(const EdgeMap& map, const EdgeEvidence& evidence);
 
   [[nodiscard]] std::vector<Trace> trace_all();
 
@@ -45,12 +45,14 @@ class RidgeTracer {
   const EdgeMap& map_;
   const EdgeEvidence& evidence_;
   EdgeOdds odds_;
-  double max_gap_m_;
   std::vector<std::uint8_t> taken_;      // per sample: part of an edge that was traced, or near it
   std::vector<std::uint32_t> visit_of_;  // per sample: the edge that passed it last,
   std::vector<std::int32_t> step_of_;    // and its step there
   std::uint32_t edge_ = 0;
 };
+
+/// The same place, followed the other way.
+[[nodiscard]] Ridge turned_back(Ridge ridge);
 
 /// Lengthens ends that stop short of another edge, where the scatter of that one begins, up to it.
 void join_ends(std::vector<Trace>& traces);

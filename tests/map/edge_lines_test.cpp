@@ -452,7 +452,7 @@ TEST(EdgeLines, AnyHitsGiveFiniteLinesNearHits) {
         RC_ASSERT(vertex.position_m.allFinite());
         RC_ASSERT(vertex.confidence >= 0.0 && vertex.confidence <= 0.97 + 1e-9);
         const bool near = std::any_of(hits.begin(), hits.end(), [&](const Eigen::Vector3d& hit_m) {
-          return (hit_m - vertex.position_m).norm() < 0.5 * config.max_gap_m + 0.5;
+          return (hit_m - vertex.position_m).norm() < 0.5 * config.max_hidden_m + 0.5;
         });
         RC_ASSERT(near);
       }

@@ -11,13 +11,16 @@ namespace berm {
 /// Settings of turning voxels into lines.
 struct EdgeLinesConfig {
   double spacing_m = 0.5;
-  double max_gap_m = 5.0;
+  double max_gap_m = 8.0;
+  double max_hidden_m = 25.0;
   double min_length_m = 3.0;
 
   static void fields(auto&& field) {
     field("spacing_m", &EdgeLinesConfig::spacing_m, Range{0.05, 10.0}, "between vertices");
     field("max_gap_m", &EdgeLinesConfig::max_gap_m, Range{0.1, 50.0},
-          "a line is carried across unseen stretches up to this");
+          "a line is carried on across gaps up to this: less than a road that leaves is wide");
+    field("max_hidden_m", &EdgeLinesConfig::max_hidden_m, Range{0.1, 100.0},
+          "and so far where nothing was seen, behind parked trucks");
     field("min_length_m", &EdgeLinesConfig::min_length_m, Range{0.0, 1000.0},
           "shorter lines are left out; what is half sure counts half");
   }

@@ -26,6 +26,9 @@ class ReferenceEdgeMap {
   /// Natural logarithm of the odds of an edge on `side`; 0 where nothing was seen.
   [[nodiscard]] double log_odds(const VoxelKey& key, EdgeSide side) const;
   [[nodiscard]] bool is_edge(const VoxelKey& key, EdgeSide side) const;
+  /// The voxels that are edges, each with as many hits as its log-odds are worth and no miss: what `extract_lines`
+  /// takes.
+  [[nodiscard]] EdgeMap edges() const;
 
  private:
   struct LogOdds {
