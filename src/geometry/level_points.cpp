@@ -11,16 +11,19 @@
 namespace berm {
 namespace {
 
-/// Rows of the 3 x 4 matrix that takes a point to the level frame.
-struct Row {
-  float x, y, z, offset;
+struct Matrix {
+  std::array<std::array<float, 3>, 3> r;
+  std::array<float, 3> t;
 };
 
-BERM_MULTIVERSION void turn_axis(const float* __restrict px, const float* __restrict py, const float* __restrict pz,
-                                 std::size_t size, const Row& row, float* __restrict out) {
-  const Row r = row;
+BERM_MULTIVERSION void turn_points(const float* __restrict px, const float* __restrict py, const float* __restrict pz,
+                                   std::size_t size, const Matrix& matrix, float* __restrict x, float* __restrict y,
+                                   float* __restrict z) {
+  const Matrix m = matrix;
   for (std::size_t i = 0; i < size; ++i) {
-    out[i] = r.x * px[i] + r.y * py[i] + r.z * pz[i] + r.offset;
+    x[i] = m.r[0][0] * px[i] + m.r[0][1] * py[i] + m.r[0][2] * pz[i] + m.t[0];
+    y[i] = m.r[1][0] * px[i] + m.r[1][1] * py[i] + m.r[1][2] * pz[i] + m.t[1];
+    z[i] = m.r[2][0] * px[i] + m.r[2][1] * py[i] + m.r[2][2] * pz[i] + m.t[2];
   }
 }
 
@@ -43,11 +46,9 @@ void LevelPoints::fill(const PointsView& points, const Pose& T_level_sensor) {
   sensor_height_m = static_cast<float>(T_level_sensor.translation_m().z());
   const Eigen::Matrix3f r = T_level_sensor.rotation().toRotationMatrix().cast<float>();
   const Eigen::Vector3f t = T_level_sensor.translation_m().cast<float>();
-  const std::array<float*, 3> axes = {x.data(), y.data(), z.data()};
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    turn_axis(points.x.data(), points.y.data(), points.z.data(), size, {r(i, 0), r(i, 1), r(i, 2), t[i]},
-              axes[static_cast<std::size_t>(i)]);
-  }
+  const Matrix matrix = {.r = {{{r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}}},
+                         .t = {t.x(), t.y(), t.z()}};
+  turn_points(points.x.data(), points.y.data(), points.z.data(), size, matrix, x.data(), y.data(), z.data());
   find_places(x.data(), y.data(), size, range2.data(), turn.data());
 }
 

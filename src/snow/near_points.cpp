@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "count_between.hpp"
-
 namespace berm {
 namespace {
 
@@ -31,6 +29,16 @@ constexpr std::uint32_t kFewReturns = 10;
 
 /// Ranges are kept in 16 bits.
 constexpr float kSteps = 65000.0F;
+
+/// Which 64th of all ranges one is in.
+constexpr std::uint32_t part_of(std::uint32_t steps) {
+  return steps >> 10U;
+}
+
+/// A bit for each of these parts from one range to another.
+constexpr std::uint64_t parts_between(std::uint32_t low, std::uint32_t high) {
+  return (std::uint64_t{2} << part_of(high)) - (std::uint64_t{1} << part_of(low));
+}
 
 /// Of equal parts that would be as even as these are: 1 if one has it all.
 double effective_number(const std::array<double, NearPoints::kSectors>& parts) {
@@ -74,8 +82,9 @@ void NearPoints::use_cells(int bits) {
   cells_ = DirectionCells(bits);
   if (counts_.size() < cells_.size()) {
     counts_.resize(cells_.size());
-    begin_.resize(cells_.size());
-    end_.resize(cells_.size());
+    before_.resize(cells_.size() + 1);
+    next_.resize(cells_.size());
+    has_near_.resize(cells_.size() + 1);
     banks_.resize(2 * (cells_.size() + 1));
   }
 }
@@ -91,6 +100,7 @@ void NearPoints::gather(const PointsView& points, float max_range_m) {
   cell_.resize(size + 1);
   std::size_t near = 0;
   std::uint32_t faces = 0;
+  const DirectionCells cells = cells_;
   for (std::size_t i = 0; i < size; ++i) {
     const std::uint32_t cell = cell_of_point_[i];
     const float range_m = range_of_point_[i];
@@ -100,7 +110,7 @@ void NearPoints::gather(const PointsView& points, float max_range_m) {
     cell_[near] = cell;
     const std::uint32_t is_near = ((range_m > 0.0F) & (range_m < max_range_m)) ? 1U : 0U;
     banks_[2U * std::size_t{cell} + (i & 1U)] += 1U + (std::uint64_t{is_near} << 32U);
-    faces |= 1U << cells_.face(cell);
+    faces |= 1U << cells.face(cell);
     near += is_near;
   }
   size_ = near;
@@ -178,95 +188,99 @@ void NearPoints::coarsen(int bits) {
 }
 
 void NearPoints::sort() {
-  std::uint32_t sum = 0;
+  Counts sum;
   const std::size_t face_cells = cells_.cells_of_face();
   for (std::size_t face = 0; face < DirectionCells::kFaces; ++face) {
+    if (!face_used_[face]) {
+      continue;
+    }
     const std::size_t end = (face + 1) * face_cells;
-    for (std::size_t c = face * face_cells; face_used_[face] && c < end; ++c) {
-      begin_[c] = sum;
-      end_[c] = sum;
-      sum += counts_[c].near;
+    for (std::size_t c = face * face_cells; c < end; ++c) {
+      before_[c] = sum;
+      next_[c] = sum.near;
+      has_near_[c] = 0;
+      sum.all += counts_[c].all;
+      sum.near += counts_[c].near;
+    }
+    before_[end] = sum;
+  }
+  has_near_[cells_.nowhere()] = 0;
+  sorted_.resize(size_ + BandCount::kMargin);
+  const std::size_t size = size_;
+  const float steps_per_m = steps_per_m_;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::uint32_t cell = cell_[i];
+    const auto steps = static_cast<std::uint16_t>(range_m_[i] * steps_per_m);
+    sorted_[next_[cell]++] = steps;
+    has_near_[cell] |= std::uint64_t{1} << part_of(steps);
+  }
+}
+
+/// Row by row; `nowhere` where there is none, or none that holds a return.
+std::array<std::uint32_t, 9> NearPoints::cells_around(std::uint32_t cell) const {
+  std::array<std::uint32_t, 9> cells = cells_.block(cell);
+  for (std::uint32_t& c : cells) {
+    if (c != cells_.nowhere() && counts_[c].all == 0) {
+      c = cells_.nowhere();
     }
   }
-  sorted_.resize(size_ + kCountLanes);
-  for (std::size_t i = 0; i < size_; ++i) {
-    sorted_[end_[cell_[i]]++] = static_cast<std::uint16_t>(range_m_[i] * steps_per_m_);
-  }
+  return cells;
 }
 
-std::uint32_t NearPoints::sector(std::size_t i) const {
-  const std::uint32_t cell = cell_[i];
-  const int row = cells_.row(cell) * 4 / cells_.side();
-  const int column = cells_.column(cell) * 4 / cells_.side();
-  return static_cast<std::uint32_t>(16 * cells_.face(cell) + 4 * row + column);
-}
-
-NearPoints::Block NearPoints::block_of(std::size_t i) const {
-  const std::uint32_t cell = cell_[i];
-  Block block;
-  block.inner = cells_.is_inner(cell);
-  if (block.inner) {
-    const auto side = static_cast<std::uint32_t>(cells_.side());
-    for (std::size_t k = 0; k < 9; ++k) {
-      block.cells[k] = cell + static_cast<std::uint32_t>(k / 3) * side - side + static_cast<std::uint32_t>(k % 3) - 1U;
-      block.all += counts_[block.cells[k]].all;
-    }
-  } else {
-    block.cells = cells_.block(cell);
-    for (std::uint32_t& c : block.cells) {
-      if (c != cells_.nowhere()) {
-        block.all += counts_[c].all;
-        c = counts_[c].all > 0 ? c : cells_.nowhere();
-      }
+NearPoints::Around NearPoints::count_around_edge(std::uint32_t cell, Band band) const {
+  Around around{};
+  for (const std::uint32_t c : cells_around(cell)) {
+    if (c != cells_.nowhere()) {
+      around.all += counts_[c].all;
+      around.like += count_in(c, band);
     }
   }
-  --block.all;
-  return block;
+  return {around.all - 1U, around.like - 1U};
 }
 
-NearPoints::Band NearPoints::band_of(std::size_t i, float tolerance_m) const {
-  const float low = std::max(0.0F, (range_m_[i] - tolerance_m) * steps_per_m_);
-  const float high = std::min(65535.0F, (range_m_[i] + tolerance_m) * steps_per_m_);
-  return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(high - low)};
+std::uint32_t NearPoints::count_in(std::uint32_t cell, Band band) const {
+  BandCount found(band.low, band.width);
+  found.add(sorted_.data() + before_[cell].near, counts_[cell].near);
+  return found.total();
 }
 
-std::uint32_t NearPoints::count_in(std::uint32_t first, std::uint32_t last, Band band) const {
-  return count_between(sorted_.data() + begin_[first], end_[last] - begin_[first], band.low, band.width);
-}
-
-std::uint32_t NearPoints::count_like(std::size_t i, const Block& block, float tolerance_m, std::uint32_t limit) const {
+bool NearPoints::lies_on_line(std::size_t i, float tolerance_m, float share) const {
+  const std::uint32_t own = cell_[i];
+  const auto side = static_cast<std::uint32_t>(cells_.side());
+  const bool inner = cells_.is_inner(own);
+  const std::array<std::uint32_t, 9> around = inner ? std::array<std::uint32_t, 9>{} : cells_around(own);
   const Band band = band_of(i, tolerance_m);
-  std::uint32_t found = 0;
-  if (block.inner) {
-    for (const std::size_t k : {3U, 0U, 6U}) {  // the point's own row first
-      if (found <= limit) {
-        found += count_in(block.cells[k], block.cells[k + 2], band);
-      }
-    }
-  } else {
-    for (const std::uint32_t c : block.cells) {
-      found += c != cells_.nowhere() ? count_in(c, c, band) : 0U;
-    }
-  }
-  return found - 1U;  // the point itself
-}
+  const std::uint64_t parts = parts_between(band.low, std::uint32_t{band.low} + band.width);
 
-bool NearPoints::lies_on_line(std::size_t i, const Block& block, float tolerance_m, float share) const {
-  const Band band = band_of(i, tolerance_m);
-  const auto cell_holds = [&](std::uint32_t c) {
-    const std::uint32_t found = count_in(c, c, band);
-    return found > 0 && static_cast<float>(found) > share * static_cast<float>(counts_[c].all);
+  // A cell that few beams met, between two rings or two petals, says nothing: then the one behind it is asked.
+  struct Side {
+    std::uint32_t cell;
+    std::uint32_t behind;
   };
-  const auto holds = [&](std::size_t k) {
-    const std::uint32_t c = block.cells[k];
-    if (c == cells_.nowhere()) {
+  const auto side_at = [&](std::uint32_t cell) {
+    return Side{cell, inner && cells_.is_inner(cell) ? cell + cell - own : cells_.nowhere()};
+  };
+  const auto may_hold = [&](const Side& s) { return ((has_near_[s.cell] | has_near_[s.behind]) & parts) != 0; };
+  const auto cell_holds = [&](std::uint32_t c) {
+    if ((has_near_[c] & parts) == 0) {
       return false;
     }
-    // A cell that few beams met, between two rings or two petals, says nothing: then the one behind it is asked.
-    const bool says_nothing = counts_[c].all < kFewReturns && block.inner && cells_.is_inner(c);
-    return cell_holds(c) || (says_nothing && cell_holds(c + c - cell_[i]));
+    const std::uint32_t found = count_in(c, band);
+    return found > 0 && static_cast<float>(found) > share * static_cast<float>(counts_[c].all);
   };
-  return (holds(1) && holds(7)) || (holds(3) && holds(5)) || (holds(0) && holds(8)) || (holds(2) && holds(6));
+  const auto holds = [&](const Side& s) {
+    return cell_holds(s.cell) ||
+           (s.cell != cells_.nowhere() && counts_[s.cell].all < kFewReturns && cell_holds(s.behind));
+  };
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const std::uint32_t step = k == 3 ? 1U : side + 1U - k;
+    const Side before = side_at(inner ? own - step : around[k]);
+    const Side after = side_at(inner ? own + step : around[8 - k]);
+    if (may_hold(before) && may_hold(after) && holds(before) && holds(after)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace berm

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "berm/core/multiversion.hpp"
+
 namespace berm {
 namespace {
 
 /// Without branches, so that the compiler can look at several points at once.
-bool has_no_return(const PointsView& points) {
+BERM_MULTIVERSION bool has_no_return(const PointsView& points) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   int found = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "near_points.hpp"
@@ -57,28 +60,67 @@ struct Demand {
   float share;
 };
 
+/// What `judge` goes by.
+struct Rule {
+  float max_range_m;
+  float window;
+  bool fade_with_range;
+  bool spare_lines;
+};
+
+/// Writes 1 for each of the near points `which` that stands alone, else 0. First all neighbours are counted, without a
+/// branch that nobody can foresee; then few points are left for a look at lines.
+void judge(const NearPoints& near, std::span<const std::uint32_t> which, const Rule& rule, const Demand& demand,
+           std::vector<std::uint32_t>& may_be_lines, std::uint8_t* alone) {
+  may_be_lines.resize(which.size() + 1);
+  std::size_t lines = 0;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const float range_m = near.range_m(which[k]);
+    const float share = rule.fade_with_range ? range_m / rule.max_range_m : 0.0F;
+    const NearPoints::Around around = near.count_around(which[k], rule.window * range_m);
+    const float limit = (demand.points + demand.share * static_cast<float>(around.all)) * (1.0F - share * share);
+    const std::uint32_t is_few = static_cast<float>(around.like) < limit ? 1U : 0U;
+    alone[k] = static_cast<std::uint8_t>(is_few);
+    may_be_lines[lines] = static_cast<std::uint32_t>(k);
+    lines += is_few & (around.like >= 2 ? 1U : 0U);
+  }
+  for (std::size_t l = 0; l < lines && rule.spare_lines; ++l) {
+    const std::uint32_t k = may_be_lines[l];
+    if (near.lies_on_line(which[k], kLineWindow * near.range_m(which[k]) + kLineNoise_m, kLineShare)) {
+      alone[k] = 0;
+    }
+  }
+}
+
+std::size_t count_ones(std::span<const std::uint8_t> flags) {
+  return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
+}
+
 }  // namespace
 
 struct SparseSnow::State {
   explicit State(const SparseSnowConfig& c)
       : config(c),
         max_range_m(static_cast<float>(c.max_range_m)),
-        window(static_cast<float>(c.window)),
+        rule{max_range_m, static_cast<float>(c.window), c.fade_with_range, c.spare_lines},
         dark{static_cast<float>(c.dark_points), static_cast<float>(c.dark_share)},
         bright{static_cast<float>(c.bright_points), static_cast<float>(c.bright_share)} {}
 
-  [[nodiscard]] bool stands_alone(std::size_t i, const Demand& demand) const;
   void find_levels(std::span<const float> intensity);
-  [[nodiscard]] float weigh_surfaces() const;
-  [[nodiscard]] int find_dark_level();
-  [[nodiscard]] bool snow_shows_above(int dark_level) const;
-  void judge_above(int dark_level);
-  [[nodiscard]] double purity(int dark_level) const;
+  void sort_by_level();
+  void find_sample();
+  /// Judges a part of `by_level`, or what was chosen; says how many stand alone.
+  std::size_t judge_part(std::size_t begin, std::size_t end, const Demand& demand);
+  [[nodiscard]] std::size_t judge_chosen(const Demand& demand);
+  [[nodiscard]] float weigh_surfaces();
+  [[nodiscard]] std::size_t find_dark();
+  [[nodiscard]] bool snow_shows_beyond(std::size_t dark_points);
+  void list_marks();
   [[nodiscard]] bool is_snowfall(double purity) const;
 
   SparseSnowConfig config;
   float max_range_m;
-  float window;
+  Rule rule;
   Demand dark;
   Demand bright;
 
@@ -86,132 +128,141 @@ struct SparseSnow::State {
   std::vector<std::uint8_t> level;                       ///< of intensity, of every near point
   std::array<std::uint32_t, kLevels + 1> level_begin{};  ///< of a level in `by_level`
   std::vector<std::uint32_t> by_level;                   ///< near points, sorted by level
-  std::vector<std::uint8_t> alone;                       ///< whether a near point was found to be a flake
+  std::vector<std::uint8_t> alone;                       ///< of the first of `by_level`: 1 for a flake
+  std::vector<std::uint32_t> sample;                     ///< near points, one in 32
+  std::vector<std::uint32_t> chosen;                     ///< of the sample
+  std::vector<std::uint8_t> chosen_alone;
+  std::vector<std::uint32_t> may_be_lines;
+  std::vector<std::uint32_t> marks;  ///< near points that were found to be flakes
   std::vector<std::uint8_t> falling;
 };
 
-bool SparseSnow::State::stands_alone(std::size_t i, const Demand& demand) const {
-  const NearPoints::Block block = near.block_of(i);
-  const float range_m = near.range_m(i);
-  const float share = config.fade_with_range ? range_m / max_range_m : 0.0F;
-  const float most = (demand.points + demand.share * static_cast<float>(block.all)) * (1.0F - share * share);
-  const auto limit = static_cast<std::uint32_t>(std::ceil(most));
-  const std::uint32_t like = near.count_like(i, block, window * range_m, limit);
-  if (like >= limit) {
-    return false;
+void SparseSnow::State::find_levels(std::span<const float> intensity) {
+  const std::size_t size = near.size();
+  level.resize(size);
+  std::uint8_t* __restrict to = level.data();
+  for (std::size_t i = 0; i < size; ++i) {
+    to[i] = level_of(intensity[near.index(i)]);
   }
-  return !config.spare_lines || like < 2 ||
-         !near.lies_on_line(i, block, kLineWindow * range_m + kLineNoise_m, kLineShare);
 }
 
-void SparseSnow::State::find_levels(std::span<const float> intensity) {
-  // Two sums of each level, so that neighbours of one level need not wait for each other.
-  std::array<std::array<std::uint32_t, kLevels>, 2> counts{};
-  level.resize(near.size());
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    level[i] = level_of(intensity[near.index(i)]);
-    ++counts[i % 2][level[i]];
+/// Each level has two sums and two places, for near points of even and of odd number, so that neighbours of one level
+/// need not wait for each other.
+void SparseSnow::State::sort_by_level() {
+  const std::size_t size = near.size();
+  std::array<std::array<std::uint32_t, 2>, kLevels> place{};
+  for (std::size_t i = 0; i < size; ++i) {
+    ++place[level[i]][i % 2];
   }
-  std::array<std::uint32_t, kLevels> place{};
+  std::uint32_t sum = 0;
   for (std::size_t l = 0; l < kLevels; ++l) {
-    place[l] = level_begin[l];
-    level_begin[l + 1] = level_begin[l] + counts[0][l] + counts[1][l];
+    level_begin[l] = sum;
+    for (std::uint32_t& part : place[l]) {
+      sum += std::exchange(part, sum);
+    }
   }
-  by_level.resize(near.size());
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    by_level[place[level[i]]++] = static_cast<std::uint32_t>(i);
+  level_begin[kLevels] = sum;
+  by_level.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    by_level[place[level[i]][i % 2]++] = static_cast<std::uint32_t>(i);
   }
+}
+
+void SparseSnow::State::find_sample() {
+  const std::size_t size = near.size();
+  sample.resize(size + 1);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    // Written in any case and kept if it belongs: cheaper than a branch that nobody can foresee.
+    sample[count] = static_cast<std::uint32_t>(i);
+    count += is_in_sample(near.range_m(i)) ? 1U : 0U;
+  }
+  sample.resize(count);
+}
+
+std::size_t SparseSnow::State::judge_part(std::size_t begin, std::size_t end, const Demand& demand) {
+  judge(near, std::span(by_level).subspan(begin, end - begin), rule, demand, may_be_lines, alone.data() + begin);
+  return count_ones(std::span(alone).subspan(begin, end - begin));
+}
+
+std::size_t SparseSnow::State::judge_chosen(const Demand& demand) {
+  chosen_alone.resize(chosen.size());
+  judge(near, chosen, rule, demand, may_be_lines, chosen_alone.data());
+  return count_ones(chosen_alone);
 }
 
 /// What a surface point counts against a flake, at least as much as makes the brightest tenth of the points a loss:
 /// they are no flakes, and where beams are sparse many of them look like some all the same.
-float SparseSnow::State::weigh_surfaces() const {
+float SparseSnow::State::weigh_surfaces() {
   const std::size_t first = near.size() - near.size() / 10;
-  std::size_t seen = 0;
-  std::size_t found = 0;
-  for (std::size_t l = 0; l < kLevels; ++l) {
-    for (std::size_t k = level_begin[l]; k < level_begin[l + 1] && level_begin[l + 1] > first; ++k) {
-      if (is_in_sample(near.range_m(by_level[k]))) {
-        ++seen;
-        found += stands_alone(by_level[k], dark) ? 1U : 0U;
-      }
+  chosen.clear();
+  for (const std::uint32_t i : sample) {
+    if (level_begin[std::size_t{level[i]} + 1] > first) {
+      chosen.push_back(i);
     }
   }
-  const auto odds = static_cast<double>(found) / static_cast<double>(seen - found + 1);
+  const std::size_t found = judge_chosen(dark);
+  const auto odds = static_cast<double>(found) / static_cast<double>(chosen.size() - found + 1);
   return static_cast<float>(std::max(config.surface_weight, kMostOdds * odds));
 }
 
-/// Goes up the levels of intensity and judges their points, until surfaces clearly outweigh flakes. The dark level is
-/// where the flakes won most; -1 if they never did.
-int SparseSnow::State::find_dark_level() {
+/// Goes up the levels of intensity and judges their points, until surfaces clearly outweigh flakes. Dark ends where the
+/// flakes won most. Leaves the dark points judged; says how many these are, 0 if flakes never won.
+std::size_t SparseSnow::State::find_dark() {
   const float surface_weight = weigh_surfaces();
   const auto lost = kLostShare * static_cast<float>(near.size());
-  float sum = 0.0F;
+  alone.resize(near.size());
+  std::size_t flakes = 0;
   float best = 0.0F;
-  int best_level = -1;
+  std::size_t dark_points = 0;
   for (std::size_t l = 0; l < kLevels; ++l) {
-    for (std::size_t k = level_begin[l]; k < level_begin[l + 1]; ++k) {
-      const bool found = stands_alone(by_level[k], dark);
-      alone[by_level[k]] = found ? 1 : 0;
-      sum += found ? 1.0F : -surface_weight;
-    }
+    const std::size_t begin = level_begin[l];
+    const std::size_t end = level_begin[l + 1];
+    flakes += judge_part(begin, end, dark);
+    const float sum = static_cast<float>(flakes) - surface_weight * static_cast<float>(end - flakes);
     if (sum > best) {
       best = sum;
-      best_level = static_cast<int>(l);
+      dark_points = end;
     }
     if (sum < best - lost) {
       break;
     }
   }
-  for (std::size_t k = level_begin[static_cast<std::size_t>(best_level + 1)]; k < near.size(); ++k) {
-    alone[by_level[k]] = 0;
-  }
-  return best_level;
+  alone.resize(dark_points);
+  return dark_points;
 }
 
 /// Looks at a sample.
-bool SparseSnow::State::snow_shows_above(int dark_level) const {
-  std::size_t seen = 0;
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    if (level[i] > dark_level && is_in_sample(near.range_m(i))) {
-      ++seen;
-      found += stands_alone(i, bright) ? 1U : 0U;
+bool SparseSnow::State::snow_shows_beyond(std::size_t dark_points) {
+  chosen.clear();
+  for (const std::uint32_t i : sample) {
+    if (level_begin[level[i]] >= dark_points) {
+      chosen.push_back(i);
     }
   }
-  return static_cast<double>(found) > kShownShare * static_cast<double>(seen);
+  return static_cast<double>(judge_chosen(bright)) > kShownShare * static_cast<double>(chosen.size());
 }
 
-void SparseSnow::State::judge_above(int dark_level) {
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    if (level[i] > dark_level) {
-      alone[i] = stands_alone(i, bright) ? 1 : 0;
-    }
+/// Lists what stands alone.
+void SparseSnow::State::list_marks() {
+  marks.resize(alone.size() + 1);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    marks[count] = by_level[k];
+    count += alone[k];
   }
+  marks.resize(count);
 }
 
-/// Share of the dark points that stand alone.
-double SparseSnow::State::purity(int dark_level) const {
-  const std::size_t dark_points = level_begin[static_cast<std::size_t>(dark_level + 1)];
-  std::size_t found = 0;
-  for (std::size_t k = 0; k < dark_points; ++k) {
-    found += alone[by_level[k]];
-  }
-  return dark_points > 0 ? static_cast<double>(found) / static_cast<double>(dark_points) : 0.0;
-}
-
+/// `purity`: share of the dark points that stand alone.
 bool SparseSnow::State::is_snowfall(double purity) const {
   Spread spread(near);
-  std::size_t marks = 0;
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    if (alone[i] != 0) {
-      spread.add(near.sector(i));
-      ++marks;
-    }
+  for (const std::uint32_t i : marks) {
+    spread.add(near.sector(i));
   }
   const double heap_share = purity >= kPure ? kPureHeapShare : kHeapShare;
   const double needed = kLeastShare + heap_share * (1.0 - spread.evenness());
-  return !config.ask_for_spread || static_cast<double>(marks) >= needed * static_cast<double>(near.size());
+  return !config.ask_for_spread || static_cast<double>(marks.size()) >= needed * static_cast<double>(near.size());
 }
 
 SparseSnow::SparseSnow(const SparseSnowConfig& config) : config_(config) {
@@ -226,27 +277,33 @@ SnowResult SparseSnow::process(const PointsView& points, const Pose& /*T_base_se
   const SnowLimits limits = find_limits(points);
   s.falling.assign(points.size(), 0);
   s.near.build(points, s.max_range_m);
-  s.alone.assign(s.near.size(), 0);
   double purity = 0.0;
   if (limits.no_intensity || !config_.use_intensity) {
-    s.level.assign(s.near.size(), 0);
-    s.judge_above(-1);
+    s.by_level.resize(s.near.size());
+    std::iota(s.by_level.begin(), s.by_level.end(), 0U);
+    s.alone.resize(s.near.size());
+    s.judge_part(0, s.near.size(), s.bright);
   } else {
     s.find_levels(points.intensity);
-    const int dark_level = s.find_dark_level();
-    purity = s.purity(dark_level);
-    if (s.snow_shows_above(dark_level)) {
-      s.judge_above(dark_level);
+    s.sort_by_level();
+    s.find_sample();
+    const std::size_t dark_points = s.find_dark();
+    if (dark_points > 0) {
+      purity = static_cast<double>(count_ones(s.alone)) / static_cast<double>(dark_points);
+    }
+    if (s.snow_shows_beyond(dark_points)) {
+      s.alone.resize(s.near.size());
+      s.judge_part(dark_points, s.near.size(), s.bright);
     }
   }
-  std::size_t count = 0;
-  if (s.is_snowfall(purity)) {
-    for (std::size_t i = 0; i < s.near.size(); ++i) {
-      s.falling[s.near.index(i)] = s.alone[i];
-      count += s.alone[i];
-    }
+  s.list_marks();
+  if (!s.is_snowfall(purity)) {
+    s.marks.clear();
   }
-  return {.falling = s.falling, .count = count, .limits = limits};
+  for (const std::uint32_t i : s.marks) {
+    s.falling[s.near.index(i)] = 1;
+  }
+  return {.falling = s.falling, .count = s.marks.size(), .limits = limits};
 }
 
 }  // namespace berm

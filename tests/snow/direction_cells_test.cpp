@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
-#include "count_between.hpp"
+#include "band_count.hpp"
 
 namespace berm {
 namespace {
@@ -124,21 +124,37 @@ TEST(DirectionCells, ABlockHoldsTheNeighbourhoodAlsoAcrossTheEdgesOfTheCube) {
   }
 }
 
-TEST(CountBetween, AgreesWithTheSlowWay) {
+std::uint32_t count_slowly(const std::vector<std::uint16_t>& values, std::uint32_t first, std::uint32_t count, int low,
+                           int width) {
+  return static_cast<std::uint32_t>(
+      std::count_if(values.begin() + first, values.begin() + first + count,
+                    [low, width](int value) { return value >= low && value <= low + width; }));
+}
+
+TEST(BandCount, AgreesWithTheSlowWay) {
   std::mt19937 random(5);
-  std::vector<std::uint16_t> values(200000 + kCountLanes);
+  std::vector<std::uint16_t> values(200000 + BandCount::kMargin);
   for (std::uint16_t& value : values) {
     value = static_cast<std::uint16_t>(random() % 2 == 0 ? random() : random() % 300);
   }
-  for (const std::uint32_t count : {0U, 1U, 7U, 8U, 9U, 15U, 100U, 65528U, 65536U, 200000U}) {
+  for (const std::uint32_t count : {0U, 1U, 7U, 8U, 9U, 15U, 24U, 25U, 100U, 4120U, 4121U, 65528U, 65536U, 200000U}) {
     for (const auto& [low, width] : {std::pair{0, 65535}, {0, 0}, {100, 50}, {65535, 0}, {65000, 535}, {299, 1}}) {
-      const auto slow = std::count_if(values.begin(), values.begin() + count, [low = low, width = width](int value) {
-        return value >= low && value <= low + width;
-      });
-      EXPECT_EQ(count_between(values.data(), count, static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(width)),
-                static_cast<std::uint32_t>(slow))
-          << count << " from " << low << ", " << width;
+      BandCount found(static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(width));
+      found.add(values.data(), count);
+      EXPECT_EQ(found.total(), count_slowly(values, 0, count, low, width)) << count << " from " << low << ", " << width;
     }
+  }
+}
+
+/// As many as cells around a point, and so long that lanes would overflow.
+TEST(BandCount, AddsUpRuns) {
+  const std::vector<std::uint16_t> values(20000 + BandCount::kMargin, 7);
+  for (const std::uint32_t count : {3U, 20U, 500U, 4119U, 20000U}) {
+    BandCount found(5, 2);
+    for (int run = 0; run < 9; ++run) {
+      found.add(values.data(), count);
+    }
+    EXPECT_EQ(found.total(), 9 * count);
   }
 }
 

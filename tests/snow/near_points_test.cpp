@@ -19,11 +19,12 @@ struct Expected {
 };
 
 /// The slow way: every point against every other.
-Expected count_slowly(const std::vector<std::uint32_t>& cells, const std::vector<float>& ranges_m,
-                      const NearPoints::Block& block, std::size_t point, float tolerance_m, float max_range_m) {
+Expected count_slowly(const DirectionCells& directions, const std::vector<std::uint32_t>& cells,
+                      const std::vector<float>& ranges_m, std::size_t point, float tolerance_m, float max_range_m) {
   Expected expected;
+  const std::array<std::uint32_t, 9> block = directions.block(cells[point]);
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    const bool around = std::find(block.cells.begin(), block.cells.end(), cells[k]) != block.cells.end();
+    const bool around = std::find(block.begin(), block.end(), cells[k]) != block.end();
     if (k == point || ranges_m[k] == 0.0F || !around) {
       continue;
     }
@@ -46,12 +47,11 @@ TEST(NearPoints, CountsNeighboursAsTheSlowWayDoes) {
     cells.locate(scan.view(), cell, range_m);
     for (std::size_t i = 0; i < near.size(); i += 97) {
       const float tolerance_m = 0.05F * near.range_m(i);
-      const NearPoints::Block block = near.block_of(i);
-      const Expected expected = count_slowly(cell, range_m, block, near.index(i), tolerance_m, kMaxRange_m);
-      ASSERT_EQ(block.all, expected.all) << lookout.name << ", " << i;
+      const NearPoints::Around around = near.count_around(i, tolerance_m);
+      const Expected expected = count_slowly(cells, cell, range_m, near.index(i), tolerance_m, kMaxRange_m);
+      ASSERT_EQ(around.all, expected.all) << lookout.name << ", " << i;
       // Ranges are kept in steps of a quarter of a millimetre.
-      const std::uint32_t like = near.count_like(i, block, tolerance_m, 1000000U);
-      EXPECT_NEAR(like, expected.like, 2.0) << lookout.name << ", " << i;
+      EXPECT_NEAR(around.like, expected.like, 2.0) << lookout.name << ", " << i;
     }
   }
 }
@@ -65,7 +65,7 @@ TEST(NearPoints, CellsGrowAndShrinkWithTheDensity) {
     ASSERT_GT(near.size(), 10U);
     double all = 0.0;
     for (std::size_t i = 0; i < near.size(); ++i) {
-      all += near.block_of(i).all;
+      all += near.count_around(i, 0.1F).all;
     }
     const double mean = all / static_cast<double>(near.size());
     EXPECT_GT(mean, 10.0) << count;
