@@ -11,5 +11,6 @@ void add_sim(CLI::App& app, int& exit_code);
 void add_eval(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_machine(CLI::App& app, int& exit_code);
+void add_map(CLI::App& app, int& exit_code);
 
 }  // namespace berm::app

@@ -46,6 +46,7 @@ int run_program(int argc, char** argv) {
   add_eval(app, exit_code);
   add_draw(app, exit_code);
   add_machine(app, exit_code);
+  add_map(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;
