@@ -23,7 +23,7 @@ constexpr const char* kExamples = R"(Examples:
   berm map draw edges.ot -o map.png --size 4000 --set lines.max_gap_m=2
 
 Seen from above, north up. Left edges are orange, right ones blue, brighter the more probable; plain road is grey; the lines
-lie over them in white.)";
+lie over them, paler.)";
 
 constexpr Rgb kGround{16, 18, 22};
 constexpr Rgb kRoad{58, 62, 70};
@@ -111,10 +111,12 @@ void draw_voxels(Image& image, const MapView& view, const EdgeMap& map) {
 
 void draw_lines(Image& image, const MapView& view, const EdgeMap& map, const EdgeLinesConfig& config) {
   const PixelBox all{0, 0, image.width_px(), image.height_px()};
+  constexpr double kPale = 0.6;
   for (const EdgeLine& line : extract_lines(map, config)) {
+    const Rgb color = mix(line.side == EdgeSide::left ? kLeft : kRight, kInk, kPale);
     for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i) {
       draw_line(image, view.at(line.vertices[i].position_m), view.at(line.vertices[i + 1].position_m),
-                1.2 * view.unit_px(), kInk, all);
+                1.2 * view.unit_px(), color, all);
     }
   }
 }
