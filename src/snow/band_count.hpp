@@ -12,7 +12,7 @@ namespace berm {
 /// compiler; g++ and clang turn them into whatever the processor has.
 class BandCount {
   static constexpr std::uint32_t kLanes = 8;
-  static constexpr std::uint32_t kShort = 3 * kLanes;
+  static constexpr std::uint32_t kShort = 5 * kLanes;
 
  public:
   /// So many values must be readable behind the last one of a run.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "band_count.hpp"
@@ -27,6 +28,7 @@ class NearPoints {
   [[nodiscard]] std::size_t size() const { return size_; }
   /// In the scan, of near point i.
   [[nodiscard]] std::uint32_t index(std::size_t i) const { return index_[i]; }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const { return std::span(index_).first(size_); }
   [[nodiscard]] float range_m(std::size_t i) const { return range_m_[i]; }
   [[nodiscard]] std::uint32_t sector(std::size_t i) const {
     const std::uint32_t cell = cell_[i];

@@ -138,11 +138,12 @@ struct SparseSnow::State {
 };
 
 void SparseSnow::State::find_levels(std::span<const float> intensity) {
-  const std::size_t size = near.size();
-  level.resize(size);
+  const std::span<const std::uint32_t> index = near.indices();
+  level.resize(index.size());
+  const float* __restrict from = intensity.data();
   std::uint8_t* __restrict to = level.data();
-  for (std::size_t i = 0; i < size; ++i) {
-    to[i] = level_of(intensity[near.index(i)]);
+  for (std::size_t i = 0; i < index.size(); ++i) {
+    to[i] = level_of(from[index[i]]);
   }
 }
 
