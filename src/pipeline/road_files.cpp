@@ -5,6 +5,7 @@
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/edge_export.hpp"
 #include "berm/io/edge_lines_file.hpp"
+#include "berm/io/road_file.hpp"
 
 namespace berm {
 namespace {
@@ -47,7 +48,10 @@ void write_road_files(const OutputFolder& output, const EdgeMap& map, std::span<
   write_edge_lines(output / "edges.csv", lines);
   files.emplace_back("edges", "edges.csv");
   write_exports(output, lines, datum, files, notes);
-  static_cast<void>(stations);
+  if (!stations.empty()) {
+    write_road(output / "road.csv", stations);
+    files.emplace_back("road", "road.csv");
+  }
 }
 
 }  // namespace berm

@@ -9,7 +9,7 @@
 
 #include "berm/core/error.hpp"
 #include "berm/io/pose_log.hpp"
-#include "io/made_nmea.hpp"
+#include "support/made_nmea.hpp"
 #include "support/file_error.hpp"
 #include "support/temp_folder.hpp"
 

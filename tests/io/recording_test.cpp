@@ -333,6 +333,35 @@ TEST_F(RecordingFolder, KittiPosesMoveFromTheCameraToTheLidar) {
                     [&] { (void)recording.read_given_poses(); });
 }
 
+TEST_F(RecordingFolder, OneFileOfPosesIsUsed) {
+  add_pcd("scans/0.pcd");
+  spill(folder_ / "poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  spill(folder_ / "calib.txt", "Tr: 0 -1 0 0 0 0 -1 0 1 0 0 -0.3\n");
+  EXPECT_FALSE(open().pose_log());
+  EXPECT_TRUE(open().read_given_poses());
+  spill(folder_ / "gnss.nmea", "");
+  EXPECT_EQ(open().pose_log(), folder_ / "gnss.nmea");
+  EXPECT_FALSE(open().read_given_poses());
+  EXPECT_TRUE(notes(open(), "gnss.nmea and poses.txt are both there: gnss.nmea is used"));
+  spill(folder_ / "gnss.csv", "");
+  EXPECT_EQ(open().pose_log(), folder_ / "gnss.csv");
+  spill(folder_ / "gnss.tum", "0 1 2 3 0 0 0 1\n");
+  EXPECT_FALSE(open().pose_log());
+  EXPECT_EQ(open().read_given_poses()->file, folder_ / "gnss.tum");
+}
+
+TEST_F(RecordingFolder, PosesFromElsewhereAreReadOnDemand) {
+  add_pcd("scans/0.pcd");
+  const fs::path file = folder_ / "elsewhere.txt";
+  spill(file, "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  const Recording without = open();
+  expect_file_error(ErrorCode::not_found, "calib.txt", [&] { (void)without.read_camera_poses(file); });
+  spill(folder_ / "calib.txt", "Tr: 0 -1 0 0 0 0 -1 0 1 0 0 -0.3\n");
+  EXPECT_EQ(open().read_camera_poses(file).of, PoseOf::sensor);
+  spill(file, "0 1 2 3 0 0 0 1\n");
+  EXPECT_EQ(Recording::read_tum_poses(file).trajectory.size(), 1U);
+}
+
 TEST_F(RecordingFolder, BrokenPosesFailWhenAskedFor) {
   add_pcd("scans/0.pcd");
   spill(folder_ / "gnss.tum", "0 0 0\n");

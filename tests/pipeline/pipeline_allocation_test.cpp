@@ -7,6 +7,7 @@
 #include "berm/pipeline/pipeline.hpp"
 #include "groomer_scan.hpp"
 #include "support/counting_new.hpp"
+#include "truck_recording.hpp"
 
 namespace berm {
 namespace {
@@ -37,6 +38,31 @@ TEST_P(PipelineAllocation, IsOverAfterAFewScans) {
     EXPECT_EQ(test::allocations() - before, 0U) << "scan " << i;
   }
 }
+
+class EdgeAllocation : public testing::TestWithParam<const char*> {};
+
+TEST_P(EdgeAllocation, IsOverAfterAFewScans) {
+  std::vector<Scan> scans;
+  for (std::size_t i = 0; i < 3; ++i) {
+    scans.push_back(test::truck_scan(i));
+  }
+  Machine machine = test::haul_truck();
+  machine.methods.edge = GetParam();
+  Pipeline pipeline(machine);
+  const StageListener listener = [](Stage) {};
+  for (std::size_t i = 0; i < 2 * scans.size(); ++i) {
+    static_cast<void>(pipeline.process(scans[i % scans.size()], listener));
+  }
+  for (const Scan& scan : scans) {
+    const std::size_t before = test::allocations();
+    const ScanResult result = pipeline.process(scan, listener);
+    EXPECT_EQ(test::allocations() - before, 0U) << scan.stamp_ns;
+    EXPECT_GT(result.edge.edges.size(), 4U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EdgeAllocation, testing::Values("default", "reference"),
+                         [](const auto& test) { return std::string(test.param); });
 
 INSTANTIATE_TEST_SUITE_P(Methods, PipelineAllocation, testing::Values("default", "reference"),
                          [](const auto& test) { return std::string(test.param); });
