@@ -43,6 +43,12 @@ double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+void report_map(const EdgeCounts& edges) {
+  const auto km = [&edges](EdgeSide side) { return edges.lines_m[static_cast<std::size_t>(side)] * 1e-3; };
+  spdlog::info("road edges: {:.2f} km left, {:.2f} km right; {} scans are in a map of {} voxels", km(EdgeSide::left),
+               km(EdgeSide::right), edges.mapped, edges.voxels);
+}
+
 int report(const RunSummary& summary, const RunOptions& options) {
   const RunCounts& counts = summary.counts;
   const std::string output = options.output.string();
@@ -65,6 +71,9 @@ int report(const RunSummary& summary, const RunOptions& options) {
       "return, {} invalid -> {}",
       counts.labelled, counts.points, share(counts.drivable), share(counts.terrain), share(counts.obstacle),
       share(counts.falling_snow), share(counts.no_return), counts.invalid, output);
+  if (summary.edges && summary.edges->has_map) {
+    report_map(*summary.edges);
+  }
   if (counts.skipped > 0) {
     spdlog::warn("{} of {} scans were skipped, see {}/run.json", counts.skipped, counts.selected, output);
     return kWithLosses;

@@ -152,6 +152,36 @@ TEST_F(RunFaultsTest, AFullDiskEndsWithOneAndNoHalfFiles) {
   expect_whole_label_files();
 }
 
+TEST_F(RunFaultsTest, AFullDiskKeepsTheMapThatIsContinued) {
+  ASSERT_EQ(run_berm({"sim", "haul_road", "-o", recording_.string(), "--seconds", "1"}).exit_code, 0);
+  const auto run_truck = [this](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"run", recording_.string(), "-m", "haul_truck", "-o", out_.string()};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_berm(all);
+  };
+  ASSERT_EQ(run_truck({}).exit_code, 0);
+  std::uintmax_t labels = 0;
+  for (const auto& entry : fs::directory_iterator(out_ / "labels")) {
+    labels += (entry.file_size() / 4096 + 1) * 4096;
+  }
+  const std::string map = test::slurp(out_ / "edges.ot");
+  // Room for the old map, the labels and half of the new map.
+  const Mount mount(folder_ / "small", 0, "size=" + std::to_string(labels + map.size() * 3 / 2));
+  if (!mount.is_there()) {
+    GTEST_SKIP() << "this user may not mount a small file system";
+  }
+  const fs::path old = folder_ / "small/old.ot";
+  test::spill(old, map);
+  out_ = folder_ / "small/out";
+  const ProgramResult result = run_truck({"--map", old.string()});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("edges.ot: "));
+  EXPECT_THAT(result.err, HasSubstr("No space left on device"));
+  EXPECT_TRUE(test::slurp(old) == map);
+  EXPECT_FALSE(fs::exists(out_ / "edges.ot"));
+  EXPECT_FALSE(fs::exists(out_ / "run.json"));
+}
+
 TEST_F(RunFaultsTest, AReadOnlyDiskEndsWithOneAndSaysWhy) {
   test::make_recording(recording_, 1);
   const Mount mount(folder_ / "fixed", MS_RDONLY, "size=200k");
