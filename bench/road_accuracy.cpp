@@ -19,6 +19,7 @@ namespace {
 struct Options {
   std::vector<std::string> recordings;
   std::string only;
+  std::vector<std::string> changes;
   std::string dump_folder;
   std::uint64_t seed_offset = 0;
   bool runs_only = false;
@@ -38,8 +39,10 @@ void print(const std::string& name, const RoadScore& score) {
 
 bool measure(const Options& options) {
   std::vector<RoadMethod> methods = main_road_methods();
-  if (!options.runs_only) {
-    for (RoadMethod& method : road_methods_without_a_step()) {
+  if (!options.changes.empty()) {
+    methods = {road_method("default", options.changes)};
+  } else if (!options.runs_only) {
+    for (RoadMethod& method : changed_road_methods()) {
       methods.push_back(std::move(method));
     }
   }
@@ -78,6 +81,7 @@ int main(int argc, char** argv) {
   CLI::App app("Lines of road edges on simulated haul roads");
   app.add_option("recordings", options.recordings, "Recordings of the simulator instead of the runs");
   app.add_option("--only", options.only, "Methods whose name holds this");
+  app.add_option("--set", options.changes, "The default alone, with another value for a key: section.key=value");
   app.add_option("--dump", options.dump_folder, "Folder for what the first method found in the recordings");
   app.add_option("--seed-offset", options.seed_offset, "Added to the seed of every run");
   app.add_flag("--runs-only", options.runs_only, "Default and reference alone");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -14,6 +15,8 @@
 #include "berm/core/ordered_parallel.hpp"
 #include "berm/core/scan.hpp"
 #include "berm/core/stamp.hpp"
+#include "berm/edge/ring_edges.hpp"
+#include "berm/edge/trace_edges.hpp"
 #include "berm/ground/terrain_ground.hpp"
 #include "berm/io/edges_file.hpp"
 #include "berm/io/recording.hpp"
@@ -114,7 +117,13 @@ class ScanPoses {
 class Passage {
  public:
   explicit Passage(const RoadMethod& method)
-      : method_(method), detector_(method.make()), map_(method.map), reference_map_(method.map) {}
+      : method_(method), map_(method.settings.map), reference_map_(method.settings.map) {
+    if (method.is_reference) {
+      detector_ = std::make_unique<RingEdges>(RingEdgesConfig{});
+    } else {
+      detector_ = std::make_unique<TraceEdges>(method.settings.edge);
+    }
+  }
 
   void process(const EdgeInput& input, const Scan& scan, const Trajectory& poses) {
     const double start_ms = cpu_ms();
@@ -137,7 +146,7 @@ class Passage {
         plain_m_.push_back(*world_m);
       }
     }
-    if (method_.reference_map) {
+    if (method_.is_reference) {
       reference_map_.add_scan(edges_, plain_m_);
     } else {
       map_.add_scan(edges_, plain_m_);
@@ -149,7 +158,7 @@ class Passage {
   RoadScore judge(const Truth& truth) {
     RoadScore score;
     const double start_ms = cpu_ms();
-    lines_ = extract_lines(method_.reference_map ? reference_map_.edges() : map_, method_.lines);
+    lines_ = extract_lines(method_.is_reference ? reference_map_.edges() : map_, method_.settings.lines);
     score.lines_ms = cpu_ms() - start_ms;
     score.lines = judge_edges(lines_, truth.edges, truth.path_m, {});
     score.detect_ms = median(detect_ms_);

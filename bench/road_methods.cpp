@@ -2,41 +2,34 @@
 
 #include <utility>
 
-#include "berm/edge/ring_edges.hpp"
-#include "berm/edge/trace_edges.hpp"
+#include "berm/io/settings.hpp"
 
 namespace berm::bench {
-namespace {
 
-RoadMethod changed(std::string name, const std::function<void(TraceEdgesConfig&)>& change) {
-  TraceEdgesConfig config;
-  change(config);
-  return {.name = std::move(name),
-          .make = [config] { return std::make_unique<TraceEdges>(config); },
-          .map = {},
-          .lines = {}};
+RoadMethod road_method(std::string name, const std::vector<std::string>& changes) {
+  RoadMethod method{std::move(name), {}, false};
+  for (const std::string& change : changes) {
+    (void)set_value(method.settings, change, method.name);
+  }
+  method.settings.check();
+  return method;
 }
-
-}  // namespace
 
 std::vector<RoadMethod> main_road_methods() {
-  return {changed("default", [](TraceEdgesConfig&) {}),
-          {.name = "reference",
-           .make = [] { return std::make_unique<RingEdges>(RingEdgesConfig{}); },
-           .map = {},
-           .lines = {},
-           .reference_map = true}};
+  return {road_method("default", {}), {.name = "reference: method E", .settings = {}, .is_reference = true}};
 }
 
-std::vector<RoadMethod> road_methods_without_a_step() {
-  using C = TraceEdgesConfig;
-  return {changed("without sub_cell", [](C& c) { c.sub_cell = false; }),
-          changed("without own_road", [](C& c) { c.own_road = false; }),
-          changed("without face", [](C& c) { c.face = false; }),
-          changed("without hide", [](C& c) { c.hide = false; }),
-          changed("without agree", [](C& c) { c.agree = false; }),
-          changed("without outline", [](C& c) { c.outline = false; }),
-          changed("without find_drops", [](C& c) { c.find_drops = false; })};
+std::vector<RoadMethod> changed_road_methods() {
+  std::vector<RoadMethod> methods;
+  for (const char* step : {"across", "sub_cell", "own_road", "face", "hide", "agree", "outline", "find_drops"}) {
+    methods.push_back(road_method(std::string("without ") + step, {std::string("edge.") + step + "=false"}));
+  }
+  methods.push_back(road_method("gaps are not crossed", {"lines.max_gap_m=0.1", "lines.max_hidden_m=0.1"}));
+  for (const char* change : {"lines.max_hidden_m=8", "lines.max_gap_m=5", "edge.min_height_m=0.15",
+                             "edge.min_height_m=0.4", "edge.min_radius_m=80", "map.voxel_m=0.4"}) {
+    methods.push_back(road_method(change, {change}));
+  }
+  return methods;
 }
 
 }  // namespace berm::bench

@@ -41,6 +41,9 @@ void RoadToes::process(const Traces& traces) {
     }
     begin = end;
   }
+  if (config_.across) {
+    across_.process(traces, height_m_, on_road_, toes_);
+  }
 }
 
 void RoadToes::walk(const Traces& traces, std::size_t from, std::size_t to, std::size_t next) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "across_toes.hpp"
 #include "berm/edge/trace_edges.hpp"
 #include "berm/geometry/traces.hpp"
 #include "road_surface.hpp"
@@ -16,7 +17,7 @@ namespace berm {
 /// Walks all traces of a scan in both directions and finds where road ends.
 class RoadToes {
  public:
-  explicit RoadToes(const TraceEdgesConfig& config) : config_(config), finder_(config) {}
+  explicit RoadToes(const TraceEdgesConfig& config) : config_(config), finder_(config), across_(config) {}
 
   /// Results are valid until the next call.
   void process(const Traces& traces);
@@ -33,6 +34,7 @@ class RoadToes {
 
   TraceEdgesConfig config_;
   ToeFinder finder_;
+  AcrossToes across_;
   RoadSurface surface_;
   TraceProfile profile_;
   std::vector<float> height_m_;

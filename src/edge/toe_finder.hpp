@@ -17,12 +17,14 @@ struct Toe {
   std::uint32_t road = 0;    ///< a point of the road before it
   std::uint32_t flank = 0;   ///< a point of the flank behind it
   float share = 0.0F;        ///< how far from `before` to `after`
+  float below_m = 0.0F;      ///< the line between these
   float height_m = 0.0F;     ///< how far it rises within what is seen
   bool seen_to_top = false;  ///< whether it falls again, or hides what follows
   float width_m = 0.0F;      ///< along the trace, to where it is back on the level of the road; 0: unknown
   float slope = 0.0F;        ///< of the flank along the trace
   float run_m = 0.0F;        ///< of road before it
   float misfit_m = 0.0F;     ///< of the flank about its line
+  bool across = false;       ///< found from trace to trace, not along one
 };
 
 /// Finds where road ends along a profile.

@@ -106,7 +106,7 @@ void TraceEdges::State::collect_edges(const PointsView& points, const Traces& tr
     };
     edges.push_back({.x_m = between(points.x),
                      .y_m = between(points.y),
-                     .z_m = between(points.z),
+                     .z_m = between(points.z) - toe.below_m,
                      .time_s = points.time.empty() ? 0.0F : between(points.time),
                      .side = place.left ? EdgeSide::left : EdgeSide::right,
                      .kind = toe.kind,

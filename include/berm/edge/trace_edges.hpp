@@ -22,6 +22,7 @@ struct TraceEdgesConfig {
   double min_drop_m = 0.6;
   // Which of these are the edge.
   bool sub_cell = true;
+  bool across = true;
   bool own_road = true;
   bool face = true;
   bool agree = true;
@@ -65,6 +66,7 @@ void TraceEdgesConfig::fields(auto&& field) {
   field("min_drop_m", &C::min_drop_m, Range{0.1, 20.0}, "what falls less is no edge");
   field("sub_cell", &C::sub_cell,
         "put the toe where the lines of road and flank meet; off: on the last return of the road");
+  field("across", &C::across, "look from trace to trace, too: beside the machine they run along the berm");
   field("own_road", &C::own_road, "road has to lie on the surface that the machine stands on");
   field("face", &C::face, "an edge faces the road: what rises on the way back to it is the rear of a berm");
   field("agree", &C::agree, "what stands on the road alone, before the line of the other edges, is none");
