@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "road_berm.hpp"
 #include "road_median.hpp"
 
 namespace berm {
@@ -18,9 +19,12 @@ constexpr double kEdgeFloor_m = 0.08;
 constexpr double kEdgeScatter_m = 0.10;
 /// Where no sighting tells: twice the scatter of single sightings.
 constexpr double kUnseenEdge_m = 0.30;
-/// Of a berm: heaps are not level along the metre, crests are rounded, rings miss the top.
-constexpr double kHeightFloor_m = 0.08;
-constexpr double kHeightScatter_m = 0.12;
+/// Of what edge points have climbed: some lies along the road, and rings miss the top, the more the higher it is.
+constexpr double kClimbScatter_m = 0.12;
+constexpr double kClimbFloor_m = 0.15;
+constexpr double kClimbShare = 0.2;
+/// Of there being no berm.
+constexpr double kDropSigma_m = 0.08;
 constexpr double kWidthFloor_m = 0.20;
 constexpr double kWidthScatter_m = 0.40;
 
@@ -75,10 +79,18 @@ SideValues gather(const RoadSightings& seen, std::span<const RoadCrossings> cros
   return values;
 }
 
+std::optional<Measure> climbed_height(const LookedValues& heights_m) {
+  std::optional<Measure> height = heights_m.median(kClimbScatter_m, kClimbFloor_m);
+  if (height) {
+    height->sigma = std::hypot(height->sigma, kClimbShare * height->value);
+  }
+  return height;
+}
+
 }  // namespace
 
 RoadSide measure_side(const RoadSightings& seen, std::span<const RoadCrossings> crossings, std::size_t place,
-                      EdgeSide side) {
+                      EdgeSide side, const RoadSlopes& slopes) {
   RoadSide result;
   const std::optional<double> line_m = crossing(crossings[place], side);
   if (!line_m) {
@@ -89,9 +101,12 @@ RoadSide measure_side(const RoadSightings& seen, std::span<const RoadCrossings> 
   // That sightings and line disagree is part of the uncertainty.
   result.edge_m = Measure{*line_m, off ? std::hypot(off->sigma, off->value) : kUnseenEdge_m};
   if (values.drops > values.rises) {
-    result.berm_height_m = Measure{0.0, kHeightFloor_m};
+    result.berm_height_m = Measure{0.0, kDropSigma_m};
   } else {
-    result.berm_height_m = values.heights_m.median(kHeightScatter_m, kHeightFloor_m);
+    result.berm_height_m = measure_berm_height(seen, place, side == EdgeSide::left ? *line_m : -*line_m, slopes);
+    if (!result.berm_height_m) {
+      result.berm_height_m = climbed_height(values.heights_m);
+    }
     result.berm_width_m = values.widths_m.median(kWidthScatter_m, kWidthFloor_m);
   }
   return result;

@@ -40,14 +40,17 @@ void EdgeSightings::add(const EdgeSighting& sighting) {
 RoadSightings::RoadSightings(std::vector<RoadPlace> places, double spacing_m, double reach_m)
     : places_(std::move(places)),
       half_slice_m_(std::clamp(spacing_m, kLeastHalfSlice_m, kMostHalfSlice_m)),
+      part_m_(std::min(spacing_m, 2.0 * kMostHalfSlice_m) / kParts),
       half_width_m_(std::ceil(reach_m / kStrip_m) * kStrip_m),
       strips_(static_cast<std::size_t>(2.0 * half_width_m_ / kStrip_m)),
       edges_(2 * places_.size()),
       ground_(strips_ * places_.size()),
-      looks_(kLooks * places_.size()) {}
+      looks_(kLooks * places_.size()),
+      top_strips_(static_cast<std::size_t>(2.0 * half_width_m_ / kTopStrip_m)),
+      tops_m_(top_strips_ * kParts * kWideLooks * places_.size(), kNoTop_m) {}
 
 void RoadSightings::add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges,
-                             std::span<const Eigen::Vector3d> ground_m) {
+                             std::span<const Eigen::Vector3d> ground_m, std::span<const Eigen::Vector3d> raised_m) {
   if (places_.empty()) {
     return;
   }
@@ -65,6 +68,9 @@ void RoadSightings::add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges
   }
   for (const Eigen::Vector3d& point_m : ground_m) {
     add_ground(point_m);
+  }
+  for (const Eigen::Vector3d& point_m : raised_m) {
+    add_raised(point_m);
   }
 }
 
@@ -165,10 +171,31 @@ void RoadSightings::add_ground(const Eigen::Vector3d& point_m) {
   }
 }
 
+void RoadSightings::add_raised(const Eigen::Vector3d& point_m) {
+  Spot spot;
+  if (!find_spot(point_m, spot)) {
+    return;
+  }
+  const double z_m = point_m.z() - places_[spot.place].position_m.z();
+  if (const std::optional<std::size_t> strip = top_strip(double{spot.left_m})) {
+    const double part = std::floor(double{spot.along_m} / part_m_) + 0.5 * kParts;
+    const auto in_part = static_cast<std::size_t>(std::clamp(part, 0.0, kParts - 1.0));
+    const std::size_t look = look_of(spot.place) * kWideLooks / kLooks;
+    float& top_m = tops_m_[((spot.place * top_strips_ + *strip) * kParts + in_part) * kWideLooks + look];
+    top_m = std::max(top_m, static_cast<float>(z_m));
+  }
+}
+
+std::optional<std::size_t> RoadSightings::top_strip(double left_m) const {
+  const double strip = std::floor((left_m + half_width_m_) / kTopStrip_m);
+  return strip >= 0.0 && strip < static_cast<double>(top_strips_) ? std::optional(static_cast<std::size_t>(strip))
+                                                                  : std::nullopt;
+}
+
 std::size_t RoadSightings::memory_bytes() const {
   return places_.capacity() * sizeof(RoadPlace) + edges_.capacity() * sizeof(EdgeSightings) +
-         (ground_.capacity() + looks_.capacity()) * sizeof(GroundStrip) + window_.capacity() * sizeof(WindowPlace) +
-         nearest_.capacity() * sizeof(std::int32_t);
+         (ground_.capacity() + looks_.capacity()) * sizeof(GroundStrip) + tops_m_.capacity() * sizeof(float) +
+         window_.capacity() * sizeof(WindowPlace) + nearest_.capacity() * sizeof(std::int32_t);
 }
 
 }  // namespace berm

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,10 @@ constexpr double kView_m = 40.0;
 /// same error of the pose.
 constexpr double kLook_m = 5.0;
 constexpr std::size_t kLooks = 16;  // 2 kView_m / kLook_m
+/// Heaps make a crest that goes up and down within a metre, so its height is taken in parts of a place, in looks that
+/// are four times as wide.
+constexpr std::size_t kParts = 4;
+constexpr std::size_t kWideLooks = 4;
 
 /// An edge point, seen from a place of the path.
 struct EdgeSighting {
@@ -63,10 +68,14 @@ class RoadSightings {
  public:
   /// Across the path.
   static constexpr double kStrip_m = 1.0;
+  static constexpr double kTopStrip_m = 0.5;
+  /// Of a strip where nothing raised was seen.
+  static constexpr float kNoTop_m = -1e9F;
 
   RoadSightings(std::vector<RoadPlace> places, double spacing_m, double reach_m);
 
-  void add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges, std::span<const Eigen::Vector3d> ground_m);
+  void add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges, std::span<const Eigen::Vector3d> ground_m,
+                std::span<const Eigen::Vector3d> raised_m);
 
   [[nodiscard]] const std::vector<RoadPlace>& places() const { return places_; }
   [[nodiscard]] const EdgeSightings& edges(std::size_t place, EdgeSide side) const {
@@ -79,6 +88,17 @@ class RoadSightings {
   /// Ground near the path, one for every look.
   [[nodiscard]] std::span<const GroundStrip> looks(std::size_t place) const {
     return {looks_.data() + place * kLooks, kLooks};
+  }
+  /// The strip, `kTopStrip_m` wide, that lies `left_m` of the path; none beyond the reach.
+  [[nodiscard]] std::optional<std::size_t> top_strip(double left_m) const;
+  /// The highest raised point of such a strip in one of the parts of the place along the path, above the place, in
+  /// every wide look.
+  [[nodiscard]] std::span<const float> tops_m(std::size_t place, std::size_t strip, std::size_t part) const {
+    return {tops_m_.data() + ((place * top_strips_ + strip) * kParts + part) * kWideLooks, kWideLooks};
+  }
+  /// The middle of a part along the path.
+  [[nodiscard]] double part_along_m(std::size_t part) const {
+    return (static_cast<double>(part) + 0.5 - 0.5 * kParts) * part_m_;
   }
   [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -95,6 +115,7 @@ class RoadSightings {
   [[nodiscard]] int nearest_in_cell(int column, int row);
   [[nodiscard]] std::size_t look_of(std::size_t place) const;
   void add_ground(const Eigen::Vector3d& point_m);
+  void add_raised(const Eigen::Vector3d& point_m);
 
   /// A place of the window, relative to the machine.
   struct WindowPlace {
@@ -106,11 +127,14 @@ class RoadSightings {
 
   std::vector<RoadPlace> places_;
   double half_slice_m_;
+  double part_m_;  ///< along the path
   double half_width_m_;
   std::size_t strips_;
   std::vector<EdgeSightings> edges_;  // left and right of each place
   std::vector<GroundStrip> ground_;
   std::vector<GroundStrip> looks_;
+  std::size_t top_strips_;
+  std::vector<float> tops_m_;
   // Of the scan that is being added.
   Eigen::Vector3d machine_m_ = Eigen::Vector3d::Zero();
   std::size_t machine_ = 0;

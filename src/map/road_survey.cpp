@@ -79,8 +79,8 @@ RoadSurvey::RoadSurvey(RoadSurvey&&) noexcept = default;
 RoadSurvey& RoadSurvey::operator=(RoadSurvey&&) noexcept = default;
 
 void RoadSurvey::add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges,
-                          std::span<const Eigen::Vector3d> ground_m) {
-  state_->seen.add_scan(stamp_ns, edges, ground_m);
+                          std::span<const Eigen::Vector3d> ground_m, std::span<const Eigen::Vector3d> raised_m) {
+  state_->seen.add_scan(stamp_ns, edges, ground_m, raised_m);
 }
 
 std::vector<RoadStation> RoadSurvey::stations(std::span<const EdgeLine> lines) const {
@@ -101,8 +101,8 @@ std::vector<RoadStation> RoadSurvey::stations(std::span<const EdgeLine> lines) c
     station.chainage_m = place.chainage_m;
     station.position_m = place.position_m;
     station.heading_rad = std::atan2(place.ahead.y(), place.ahead.x());
-    station.left = measure_side(seen, crossings, i, EdgeSide::left);
-    station.right = measure_side(seen, crossings, i, EdgeSide::right);
+    station.left = measure_side(seen, crossings, i, EdgeSide::left, slopes[i]);
+    station.right = measure_side(seen, crossings, i, EdgeSide::right, slopes[i]);
     if (station.left.edge_m && station.right.edge_m) {
       station.width_m = Measure{station.left.edge_m->value + station.right.edge_m->value,
                                 width_sigma_m(station.left.edge_m->sigma, station.right.edge_m->sigma)};

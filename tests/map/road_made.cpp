@@ -123,7 +123,7 @@ std::vector<RoadStation> survey(const RoadConfig& config, const Trajectory& path
                                 std::span<const EdgeLine> lines) {
   RoadSurvey survey(config, path);
   for (const MadeScan& scan : scans) {
-    survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m);
+    survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m, scan.raised_m);
   }
   return survey.stations(lines);
 }

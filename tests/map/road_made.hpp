@@ -46,6 +46,7 @@ struct MadeScan {
   Stamp stamp_ns = 0;
   std::vector<SurveyedEdge> edges;
   std::vector<Eigen::Vector3d> ground_m;
+  std::vector<Eigen::Vector3d> raised_m;  ///< left to the test
 };
 
 /// A scan every metre along the path from `from_m` to `to_m`, as `MadeRoad::path` drives it: ground up to 30 m ahead

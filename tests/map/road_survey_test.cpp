@@ -122,27 +122,26 @@ TEST(RoadSurvey, SaysHowSureItIs) {
 
 TEST(RoadSurvey, OneLookIsOneMeasurement) {
   const MadeRoad road;
-  const test::ScanNoise noise{.berm_m = 0.3};
+  const test::ScanNoise noise{.edge_m = 0.15};
   const auto scans = test::made_scans(road, 0.0, 60.0, noise, 3);
-  // The machine stands and sees the same berm again and again, or it drives past.
+  // The machine stands and sees the same edge again and again, or it drives past.
   std::vector<MadeScan> standing(60, scans[30]);
   const auto lines = road.lines(-5.0, 65.0);
   const auto driven = test::survey({}, road.path(0.0, 60.0), scans, lines);
   const auto stood = test::survey({}, road.path(0.0, 60.0), standing, lines);
   double stood_sigma_m = 1.0;
   for (const RoadStation& station : stood) {
-    if (station.left.berm_height_m) {
-      stood_sigma_m = std::min(stood_sigma_m, station.left.berm_height_m->sigma);
-    }
+    // Without any sighting it is 0.3.
+    stood_sigma_m = std::min(stood_sigma_m, station.left.edge_m.value().sigma);
   }
-  EXPECT_LT(stood_sigma_m, 1.0);
+  EXPECT_LT(stood_sigma_m, 0.29);
   EXPECT_GT(stood_sigma_m, 0.14);
   std::vector<double> driven_sigmas_m;
   for (std::size_t i = 20; i < 40; ++i) {
-    driven_sigmas_m.push_back(driven[i].left.berm_height_m.value().sigma);
+    driven_sigmas_m.push_back(driven[i].left.edge_m.value().sigma);
   }
   std::sort(driven_sigmas_m.begin(), driven_sigmas_m.end());
-  EXPECT_LT(driven_sigmas_m[10], 0.22);
+  EXPECT_LT(driven_sigmas_m[10], stood_sigma_m);
 }
 
 TEST(RoadSurvey, StationsLieEverySpacingAlongThePath) {
@@ -316,7 +315,7 @@ TEST(RoadSurvey, NothingInNothingOut) {
   RoadSurvey survey({}, Trajectory());
   const MadeRoad road;
   for (const MadeScan& scan : test::made_scans(road, 0.0, 5.0, {}, 1)) {
-    survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m);
+    survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m, scan.raised_m);
   }
   EXPECT_TRUE(survey.stations(road.lines(0.0, 50.0)).empty());
   RoadSurvey moved = std::move(survey);
@@ -336,6 +335,7 @@ TEST(RoadSurvey, LeavesOutWhatIsNotFinite) {
           Eigen::Vector3d(road.at(20.0, 0.0).x(), road.at(20.0, 0.0).y(), -inf), Eigen::Vector3d(1e300, -1e300, 0.0)}) {
       scan.ground_m.push_back(bad);
       scan.edges.push_back({bad, 1.0F, 1.0F});
+      scan.raised_m.push_back(bad);
     }
     scan.edges.push_back({road.at(20.0, road.left_m), std::nanf(""), 1.0F});
   }
@@ -365,16 +365,16 @@ TEST(RoadSurvey, MemoryGrowsWithThePathAndNotWithTime) {
   RoadSurvey survey({}, road.path(0.0, 100.0));
   const auto scans = test::made_scans(road, 0.0, 100.0, {}, 1);
   for (const MadeScan& scan : scans) {
-    survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m);
+    survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m, scan.raised_m);
   }
   const std::size_t once = survey.memory_bytes();
   for (int i = 0; i < 20; ++i) {
     for (const MadeScan& scan : scans) {
-      survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m);
+      survey.add_scan(scan.stamp_ns, scan.edges, scan.ground_m, scan.raised_m);
     }
   }
   EXPECT_EQ(survey.memory_bytes(), once);
-  EXPECT_LT(once, 100U * 6000U);
+  EXPECT_LT(once, 101U * 14'000U);
   const auto stations = survey.stations(road.lines(-5.0, 105.0));
   EXPECT_NEAR(stations[50].left.berm_height_m.value().value, road.left_berm_m, 0.01);
 }
@@ -396,7 +396,7 @@ TEST(RoadSurvey, RulesHoldOrAreBrokenByTwoSigma) {
   EXPECT_EQ(judged(config).left.berm_rule, RuleVerdict::uncertain);
   EXPECT_EQ(judged(config).grade_rule, RuleVerdict::broken);
   config.vehicle_width_m = 4.0;
-  config.tyre_height_m = 4.0;
+  config.tyre_height_m = 5.0;
   config.max_grade_percent = 6.0;
   EXPECT_EQ(judged(config).width_rule, RuleVerdict::uncertain);
   EXPECT_EQ(judged(config).left.berm_rule, RuleVerdict::broken);
@@ -433,6 +433,56 @@ TEST(RoadSurvey, TheWallBehindTheBermIsNotTheBerm) {
   }
   const auto station = test::survey({}, road.path(0.0, 40.0), scans, road.lines(-5.0, 45.0))[20];
   EXPECT_NEAR(station.left.berm_height_m.value().value, road.left_berm_m, 0.01);
+}
+
+/// What is raised beyond the left edge: a row of heaps, as the machine sees it on its way, or a wall.
+void raise(const MadeRoad& road, std::vector<MadeScan>& scans, double crest_m, bool is_wall) {
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    for (int k = 0; k < 2000; ++k) {
+      const double s_m = static_cast<double>(i) - 25.0 + 0.025 * k;
+      const double beyond_m = (is_wall ? 0.12 : 0.04) * (k % 53);
+      const double flank_m = is_wall ? 2.0 * beyond_m : crest_m * std::max(1.0 - std::abs(beyond_m - 1.5) / 1.5, 0.0);
+      scans[i].raised_m.push_back(road.at(s_m, road.left_m + beyond_m) + Eigen::Vector3d(0.0, 0.0, flank_m));
+    }
+  }
+}
+
+TEST(RoadSurvey, MeasuresTheCrestOfTheBerm) {
+  EXPECT_TRUE(rc::check("whatever the edge points have climbed", [] {
+    MadeRoad road;
+    road.start_m = {between(-1.0, 1.0) * 5e5, between(-1.0, 1.0) * 5e6, 300.0};
+    road.curvature = between(-1.0, 1.0) / 50.0;
+    road.grade = between(-0.1, 0.1);
+    road.left_berm_m = 0.4;  // of the edge points, wrong
+    const double crest_m = between(0.3, 3.0);
+    auto scans = test::made_scans(road, 0.0, 40.0, {}, 1);
+    raise(road, scans, crest_m, false);
+    // Something stood there for a few metres of driving.
+    for (std::size_t i = 10; i < 15; ++i) {
+      scans[i].raised_m.push_back(road.at(20.0, road.left_m + 1.0) + Eigen::Vector3d(0.0, 0.0, 4.0));
+    }
+    const auto stations = test::survey({}, road.path(0.0, 40.0), scans, road.lines(-5.0, 45.0));
+    for (std::size_t i = 5; i < 35; ++i) {
+      const Measure height = stations[i].left.berm_height_m.value();
+      RC_ASSERT(std::abs(height.value - crest_m) < 0.05);
+      RC_ASSERT(height.sigma < 0.15);
+      RC_ASSERT(std::abs(stations[i].right.berm_height_m.value().value - road.right_berm_m) < 0.01);
+    }
+  }));
+}
+
+TEST(RoadSurvey, AWallIsNoBerm) {
+  const MadeRoad road;
+  auto scans = test::made_scans(road, 0.0, 40.0, {}, 1);
+  for (MadeScan& scan : scans) {
+    for (SurveyedEdge& edge : scan.edges) {
+      edge.height_m = 0.0F;  // nobody saw its top
+    }
+  }
+  raise(road, scans, 0.0, true);
+  const auto stations = test::survey({}, road.path(0.0, 40.0), scans, road.lines(-5.0, 45.0));
+  EXPECT_TRUE(stations[20].left.edge_m);
+  EXPECT_FALSE(stations[20].left.berm_height_m);
 }
 
 TEST(RoadSurvey, RefusesSettingsOutOfRange) {

@@ -70,9 +70,12 @@ class RoadSurvey {
   RoadSurvey(RoadSurvey&&) noexcept;
   RoadSurvey& operator=(RoadSurvey&&) noexcept;
 
-  /// `stamp_ns`: of the scan. `ground_m`: points of drivable ground, world frame. What is not finite or farther than
-  /// 40 m from the machine is left out. Scans in the same order, same result.
-  void add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges, std::span<const Eigen::Vector3d> ground_m);
+  /// `stamp_ns`: of the scan. `ground_m`: points of plain road; `raised_m`: of all else that is solid, flanks of berms
+  /// among it, where they are known. World frame; what is not finite or farther than 40 m from the machine is left out.
+  /// Berms are measured in `raised_m`, and from the heights of `edges` where nothing of that is seen: what an edge
+  /// point has climbed lies up to 10 m from it along the road. Scans in the same order, same result.
+  void add_scan(Stamp stamp_ns, std::span<const SurveyedEdge> edges, std::span<const Eigen::Vector3d> ground_m,
+                std::span<const Eigen::Vector3d> raised_m = {});
 
   /// The road as it is known by now, with the edges of the map. Which edge is left and which is right follows from the
   /// path alone.
