@@ -19,9 +19,13 @@ constexpr std::size_t kMinSamples = 8;
 constexpr float kMinSlopeLength_m = 0.25F;
 constexpr float kRounding_m2 = 1e-10F;  // variance that floats leave in a window
 constexpr float kRobustSigma = 1.48F;   // of a median of absolute values
+// What half of the windows of groomed snow differ by, at most, from the slope of the surface: in 25 simulated runs the
+// median over the scans is 0.006 to 0.008, on snow of 4 and 8 cm roughness 0.013 and 0.019. Counts where too little is
+// seen to tell.
+constexpr float kGroomedWander = 0.0075F;
 
-// Evidence is a log likelihood ratio: sigmas squared over two, less what on-piste snow reaches by chance; bounded, as
-// a single window may be a clod or a hole.
+// Evidence is a log likelihood ratio, less what on-piste snow reaches by chance; bounded, as a single window may be a
+// clod or a hole.
 constexpr float kMostFor = 3.0F;
 constexpr float kSlopeAgainst = -0.5F;
 constexpr float kRoughAgainst = -1.0F;
@@ -31,8 +35,10 @@ constexpr float kPerObstaclePoint = 0.5F;
 constexpr float kObstaclesFor = 2.0F;
 constexpr float kUnseen = -0.001F;  // a cell that nobody saw: the boundary lies beyond rather than before it
 
-float log_ratio(float sigmas, float least) {
-  return std::clamp(0.5F * sigmas * sigmas - 2.0F, least, kMostFor);
+/// Of a residual in units of its sigma, squared. It grows with the fourth power of the residual: slopes off the piste
+/// are far beyond the noise or like it, little lies between. The square costs 0.05 % of accuracy, on a VLP-16 1.1 %.
+float log_ratio(float square, float least) {
+  return std::clamp(0.5F * square * square - 2.0F, least, kMostFor);
 }
 
 /// Of a few hundred of `values` at most, which it reorders.
@@ -96,7 +102,7 @@ void BoundaryEvidence::set_windows(const TraceWindows& windows, const LevelPoint
   }
 }
 
-void BoundaryEvidence::set_obstacles(std::span<const Label> labels, const LevelPoints& level,
+void BoundaryEvidence::set_obstacles(std::span<const std::uint32_t> obstacles, const LevelPoints& level,
                                      const bearing_grid::SectorTable& sectors) {
   for (int i = 0; i < arc_.count; ++i) {
     std::fill_n(obstacles_.begin() + static_cast<std::ptrdiff_t>(cell_of(arc_.sector(i), 0)), kBins, 0.0F);
@@ -104,11 +110,9 @@ void BoundaryEvidence::set_obstacles(std::span<const Label> labels, const LevelP
   if (!config_.use_obstacles) {
     return;
   }
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] == Label::obstacle) {
-      const auto bin = static_cast<std::size_t>(bearing_grid::bin_of(level.range2[i]));
-      obstacles_[cell_of(sectors[level.turn[i]], bin)] += kPerObstaclePoint;
-    }
+  for (const std::uint32_t i : obstacles) {
+    const auto bin = static_cast<std::size_t>(bearing_grid::bin_of(level.range2[i]));
+    obstacles_[cell_of(sectors[level.turn[i]], bin)] += kPerObstaclePoint;
   }
 }
 
@@ -152,7 +156,7 @@ void BoundaryEvidence::weigh(const TraceWindows& windows, const PisteSurface& su
 void BoundaryEvidence::adapt(const TraceWindows& windows) {
   constexpr float kTimesTypical = 1.5F;
   slope_noise_ = static_cast<float>(config_.slope_noise);
-  wander_ = static_cast<float>(config_.slope_noise) / 8.0F;
+  wander_ = kGroomedWander;
   if (!config_.adapt) {
     return;
   }

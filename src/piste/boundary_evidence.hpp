@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "berm/core/label.hpp"
 #include "berm/geometry/bearing_grid.hpp"
 #include "berm/geometry/level_points.hpp"
 #include "berm/piste/boundary_piste.hpp"
@@ -22,7 +21,9 @@ class BoundaryEvidence {
   /// Takes the windows in: their cells, and how rough snow as near as the machine's own way is here.
   void set_windows(const TraceWindows& windows, const LevelPoints& level, bool is_radial,
                    const bearing_grid::SectorTable& sectors);
-  void set_obstacles(std::span<const Label> labels, const LevelPoints& level, const bearing_grid::SectorTable& sectors);
+  /// `obstacles`: the points that are some.
+  void set_obstacles(std::span<const std::uint32_t> obstacles, const LevelPoints& level,
+                     const bearing_grid::SectorTable& sectors);
 
   /// Fits the surface to the windows nearer than `range_m`.
   void fit_near(const TraceWindows& windows, float range_m, PisteSurface& surface);

@@ -15,6 +15,7 @@
 #include "berm/geometry/traces.hpp"
 #include "boundary_evidence.hpp"
 #include "boundary_seam.hpp"
+#include "list_points.hpp"
 #include "piste_surface.hpp"
 #include "trace_windows.hpp"
 #include "way_ahead.hpp"
@@ -47,8 +48,8 @@ struct BoundaryPiste::State {
         seam(settings.jump_cost, settings.max_jump_bins),
         obstacle_ahead(settings) {}
 
-  void find_boundary(const PisteInput& input);
-  void relabel(std::span<const Label> input);
+  const Traces& find_boundary(const PisteInput& input);
+  void relabel(std::span<const Label> input, std::span<const std::uint32_t> ground);
   void trace_boundary(const Pose& T_base_level);
   [[nodiscard]] int find_way(const Pose& T_base_level) const;
   void add_vertex(int sector, const Pose& T_base_level, std::vector<BoundaryPoint>& side) const;
@@ -65,6 +66,7 @@ struct BoundaryPiste::State {
   ObstacleAhead obstacle_ahead;
   std::span<const int> bound;
   std::array<float, kSectors> bound_squared_m2{};
+  std::vector<std::uint32_t> obstacles;  ///< points
   std::vector<Label> labels;
   std::vector<BoundaryPoint> left;
   std::vector<BoundaryPoint> right;
@@ -82,24 +84,25 @@ PisteResult BoundaryPiste::process(const PisteInput& input) {
   const Pose T_level_sensor = input.surface != nullptr ? input.surface->T_level_sensor() : below(input.T_base_sensor);
   const Pose T_base_level = input.T_base_sensor * T_level_sensor.inverse();
   state.level.fill(input.points, T_level_sensor);
-  state.find_boundary(input);
-  state.relabel(input.labels);
+  const Traces& traces = state.find_boundary(input);
+  state.relabel(input.labels, traces.index);
   state.trace_boundary(T_base_level);
   PisteResult result;
   result.labels = state.labels;
   result.left = state.left;
   result.right = state.right;
   result.slope = find_slope_ahead(state.surface, T_base_level, state.piste_ends_ahead_m(T_base_level));
-  result.obstacle_ahead_m = state.obstacle_ahead.find(input.labels, state.level, state.surface, T_base_level);
+  result.obstacle_ahead_m = state.obstacle_ahead.find(state.obstacles, state.level, state.surface, T_base_level);
   return result;
 }
 
 /// The surface and the boundary need each other: the first surface is that of what lies just ahead.
-void BoundaryPiste::State::find_boundary(const PisteInput& input) {
+const Traces& BoundaryPiste::State::find_boundary(const PisteInput& input) {
   const Traces& found = traces.process(input.points, input.labels, level, sectors);
   cut_windows(found, config.window_m, windows);
   evidence.set_windows(windows, level, found.kind == TraceKind::radial, sectors);
-  evidence.set_obstacles(input.labels, level, sectors);
+  list_points(input.labels, Label::obstacle, obstacles);
+  evidence.set_obstacles(obstacles, level, sectors);
   for (int pass = 0; pass < config.passes; ++pass) {
     if (pass == 0) {
       evidence.fit_near(windows, kFirstSurface_m, surface);
@@ -109,18 +112,19 @@ void BoundaryPiste::State::find_boundary(const PisteInput& input) {
     evidence.weigh(windows, surface);
     bound = seam.find(evidence.cells(), evidence.arc());
   }
+  return found;
 }
 
-void BoundaryPiste::State::relabel(std::span<const Label> input) {
+void BoundaryPiste::State::relabel(std::span<const Label> input, std::span<const std::uint32_t> ground) {
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
     const float range_m = bearing_grid::range_of(bound[sector]);
     const bool is_found = bound[sector] < kBins;
     bound_squared_m2[sector] = is_found ? range_m * range_m : std::numeric_limits<float>::infinity();
   }
-  labels.resize(input.size());
-  for (std::size_t i = 0; i < labels.size(); ++i) {
+  labels.assign(input.begin(), input.end());
+  for (const std::uint32_t i : ground) {
     const bool is_beyond = level.range2[i] >= bound_squared_m2[sectors[level.turn[i]]];
-    labels[i] = is_beyond && input[i] == Label::drivable ? Label::terrain : input[i];
+    labels[i] = is_beyond ? Label::terrain : Label::drivable;
   }
 }
 

@@ -56,7 +56,7 @@ std::optional<SlopeAhead> find_slope_ahead(const PisteSurface& surface, const Po
 ObstacleAhead::ObstacleAhead(const BoundaryPisteConfig& config)
     : config_(config), counts_(static_cast<std::size_t>(config.max_range_m / kStep_m) + 2) {}
 
-std::optional<double> ObstacleAhead::find(std::span<const Label> labels, const LevelPoints& level,
+std::optional<double> ObstacleAhead::find(std::span<const std::uint32_t> obstacles, const LevelPoints& level,
                                           const PisteSurface& surface, const Pose& T_base_level) {
   std::fill(counts_.begin(), counts_.end(), 0);
   const Eigen::Matrix3f r = T_base_level.rotation().toRotationMatrix().cast<float>();
@@ -64,10 +64,7 @@ std::optional<double> ObstacleAhead::find(std::span<const Label> labels, const L
   const auto half_width = static_cast<float>(0.5 * config_.machine_width_m);
   const auto clearance = static_cast<float>(config_.machine_height_m);
   const auto farthest = static_cast<float>(config_.max_range_m);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] != Label::obstacle) {
-      continue;
-    }
+  for (const std::uint32_t i : obstacles) {
     const float y = r(1, 0) * level.x[i] + r(1, 1) * level.y[i] + r(1, 2) * level.z[i] + t.y();
     const float x = r(0, 0) * level.x[i] + r(0, 1) * level.y[i] + r(0, 2) * level.z[i] + t.x();
     if (std::abs(y) < half_width && x > 0.0F && x < farthest &&

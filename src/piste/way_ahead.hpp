@@ -1,10 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "berm/core/label.hpp"
 #include "berm/core/pose.hpp"
 #include "berm/geometry/level_points.hpp"
 #include "berm/piste/boundary_piste.hpp"
@@ -23,8 +23,9 @@ class ObstacleAhead {
   explicit ObstacleAhead(const BoundaryPisteConfig& config);
 
   /// Distance along x of base_link to the first half metre of the machine's way that holds three obstacle points or
-  /// more, with those of the next half metre; none: the way is free as far as is seen.
-  [[nodiscard]] std::optional<double> find(std::span<const Label> labels, const LevelPoints& level,
+  /// more, with those of the next half metre; none: the way is free as far as is seen. `obstacles`: the points that
+  /// are some.
+  [[nodiscard]] std::optional<double> find(std::span<const std::uint32_t> obstacles, const LevelPoints& level,
                                            const PisteSurface& surface, const Pose& T_base_level);
 
  private:

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "list_points.hpp"
 #include "piste/made_windows.hpp"
 
 namespace berm {
@@ -58,7 +59,9 @@ struct Weighed {
   void weigh(const TraceWindows& windows, float fit_to_m = 9.0F, bool is_radial = false) {
     PisteSurface surface;
     evidence.set_windows(windows, level, is_radial, sectors);
-    evidence.set_obstacles(labels, level, sectors);
+    std::vector<std::uint32_t> obstacles;
+    list_points(labels, Label::obstacle, obstacles);
+    evidence.set_obstacles(obstacles, level, sectors);
     evidence.fit_near(windows, fit_to_m, surface);
     evidence.weigh(windows, surface);
   }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "list_points.hpp"
 #include "piste/made_windows.hpp"
 
 namespace berm {
@@ -124,7 +125,9 @@ struct Way {
     }
   }
   [[nodiscard]] std::optional<double> find() const {
-    return ObstacleAhead(config).find(labels, level, surface, T_level_base.inverse());
+    std::vector<std::uint32_t> obstacles;
+    list_points(labels, Label::obstacle, obstacles);
+    return ObstacleAhead(config).find(obstacles, level, surface, T_level_base.inverse());
   }
 };
 
