@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "berm/core/error.hpp"
@@ -41,6 +42,30 @@ std::optional<EdgeMap> read_old_map(const RunOptions& options, const Machine& ma
   return map;
 }
 
+/// OctoMap counts 65536 voxels from end to end; edges lie up to 200 m beside the path. To be known before the work
+/// rather than after it.
+void check_width(const EdgeMap& map, const RunPoses& poses, const PoseGuard& guard, Stamp first_ns, Stamp last_ns) {
+  constexpr double kVoxels = 65000.0;
+  constexpr double kBeside_m = 200.0;
+  Eigen::AlignedBox3d extent;
+  map.for_each([&](const VoxelKey& key, const EdgeVoxel&) {
+    extent.extend(Eigen::Vector3d(map.config().voxel_m * Eigen::Vector3d(key.x, key.y, key.z)));
+  });
+  for (const StampedPose& pose : poses.trajectory.poses()) {
+    if (pose.stamp_ns >= first_ns && pose.stamp_ns <= last_ns && guard.at(pose.stamp_ns) == PoseTrust::trusted) {
+      extent.extend(pose.T_world_base.translation_m());
+    }
+  }
+  const double widest_m = (extent.isEmpty() ? 0.0 : extent.sizes().maxCoeff()) + 2.0 * kBeside_m;
+  const double allowed_m = kVoxels * map.config().voxel_m;
+  if (widest_m > allowed_m) {
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("the map would be {:.1f} km wide, with voxels of {} m it can be {:.1f} km: set a larger "
+                            "map.voxel_m, or run parts of the recording with --first and --count",
+                            widest_m * 1e-3, map.config().voxel_m, allowed_m * 1e-3));
+  }
+}
+
 std::string described(const std::string& world) {
   return world.empty() ? "a world without a datum" : "the world '" + world + "'";
 }
@@ -53,7 +78,21 @@ double length_m(const EdgeLine& line) {
   return sum_m;
 }
 
-/// "10 at a jump of the poses, 2 without a pose"; empty without any.
+RoadCounts count_rules(const std::vector<RoadStation>& stations) {
+  RoadCounts counts{.stations = stations.size()};
+  const auto count = [](std::array<std::size_t, kRuleVerdicts>& of, RuleVerdict verdict) {
+    ++of[static_cast<std::size_t>(verdict)];
+  };
+  for (const RoadStation& station : stations) {
+    count(counts.width, station.width_rule);
+    count(counts.grade, station.grade_rule);
+    count(counts.left_berm, station.left.berm_rule);
+    count(counts.right_berm, station.right.berm_rule);
+  }
+  return counts;
+}
+
+/// "gap: 10, no pose: 2"; empty without any.
 std::string describe_reasons(const std::array<std::size_t, kPoseTrusts>& scans) {
   std::string text;
   for (std::size_t reason = 0; reason < kPoseTrusts; ++reason) {
@@ -104,8 +143,10 @@ void RunEdges::start_map(const Recording& recording, std::optional<EdgeMap> old,
                                          described(old->world()), described(world)));
   }
   EdgeMap map = old ? std::move(*old) : EdgeMap(machine_.map, world);
-  mapper_.emplace(machine_, *poses_, std::move(map), recording.scan(options_.first).stamp_ns,
-                  recording.scan(options_.first + selected - 1).stamp_ns);
+  const Stamp first_ns = recording.scan(options_.first).stamp_ns;
+  const Stamp last_ns = recording.scan(options_.first + selected - 1).stamp_ns;
+  mapper_.emplace(machine_, *poses_, std::move(map), first_ns, last_ns);
+  check_width(mapper_->map(), *poses_, mapper_->guard(), first_ns, last_ns);
 }
 
 void RunEdges::finish(const OutputFolder& output, RunFiles& files, RunSummary& summary) const {
@@ -152,7 +193,9 @@ void RunEdges::write_map(const OutputFolder& output, RunFiles& files, RunSummary
     ++counts.lines[static_cast<std::size_t>(line.side)];
     counts.lines_m[static_cast<std::size_t>(line.side)] += length_m(line);
   }
-  write_road_files(output, map, lines, mapper_->stations(lines), poses_->datum, files, summary.notes);
+  const std::vector<RoadStation> stations = mapper_->stations(lines);
+  counts.road = count_rules(stations);
+  write_road_files(output, map, lines, stations, poses_->datum, files, summary.notes);
 }
 
 }  // namespace berm

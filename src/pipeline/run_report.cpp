@@ -1,6 +1,5 @@
 #include "run_report.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <sys/resource.h>
 
 #include "berm/core/version.hpp"
+#include "edges_json.hpp"
 #include "machine_json.hpp"
 
 namespace berm {
@@ -68,70 +68,6 @@ Json describe(const MountSummary& mount) {
     json["pitch_off_deg"] = degrees(mount.estimate->pitch_rad);
     json["roll_off_deg"] = degrees(mount.estimate->roll_rad);
     json["height_m"] = std::round(mount.estimate->height_m * 1e3) / 1e3;
-  }
-  return json;
-}
-
-/// Whole milliseconds, or millimetres.
-double thousandths(double value) {
-  return std::round(value * 1e3) / 1e3;
-}
-
-Json describe(const PoseLogCounts& counts) {
-  return {{"records", counts.records},      {"bad_checksum", counts.bad_checksum}, {"malformed", counts.malformed},
-          {"no_fix", counts.no_fix},        {"poor_fix", counts.poor_fix},         {"no_attitude", counts.no_attitude},
-          {"not_rising", counts.not_rising}};
-}
-
-/// Reasons without a value are left out.
-template <typename Value>
-Json by_reason(const std::array<Value, kPoseTrusts>& values) {
-  Json json = Json::object();
-  for (std::size_t reason = 0; reason < kPoseTrusts; ++reason) {
-    if (values[reason] > Value{}) {
-      std::string name(trust_name(static_cast<PoseTrust>(reason)));
-      std::replace(name.begin(), name.end(), ' ', '_');
-      json[name] = values[reason];
-    }
-  }
-  return json;
-}
-
-Json describe(const std::optional<PoseFigures>& poses) {
-  if (!poses) {
-    return nullptr;
-  }
-  Json json = {{"file", poses->file}, {"poses", poses->poses}, {"jumps", poses->jumps}};
-  std::array<double, kPoseTrusts> distrusted_s = poses->distrusted_s;
-  std::transform(distrusted_s.begin(), distrusted_s.end(), distrusted_s.begin(), thousandths);
-  json["distrusted_s"] = by_reason(distrusted_s);
-  if (poses->datum) {
-    json["datum"] = {
-        {"lat_deg", poses->datum->lat_deg}, {"lon_deg", poses->datum->lon_deg}, {"h_m", poses->datum->h_m}};
-  }
-  if (poses->log) {
-    json["log"] = describe(*poses->log);
-  }
-  return json;
-}
-
-Json describe(const std::optional<EdgeCounts>& edges) {
-  if (!edges) {
-    return nullptr;
-  }
-  Json json = {{"points", edges->points}};
-  if (!edges->has_map) {
-    return json;
-  }
-  json["scans_mapped"] = edges->mapped;
-  json["scans_not_mapped"] = by_reason(edges->not_mapped);
-  json["points_left_out"] = edges->left_out;
-  json["world"] = edges->world;
-  json["voxels"] = edges->voxels;
-  for (const EdgeSide side : {EdgeSide::left, EdgeSide::right}) {
-    const auto i = static_cast<std::size_t>(side);
-    json[side == EdgeSide::left ? "left" : "right"] = {{"lines", edges->lines[i]},
-                                                       {"km", thousandths(edges->lines_m[i] * 1e-3)}};
   }
   return json;
 }
@@ -199,21 +135,20 @@ std::string write_run_report(const Recording& recording, const Machine& machine,
                  {"machine_file", options.machine_file.string()},
                  {"machine", to_json(machine)},
                  {"files", names},
-                 {"counts", describe(summary.counts)},
-                 {"poses", describe(summary.poses)},
-                 {"edges", describe(summary.edges)},
-                 {"mount", describe(summary.mount)},
-                 {"skipped", describe(summary.skipped)},
-                 {"notes", summary.notes},
-                 {"threads", options.threads},
-                 {"stages", describe(times)},
-                 {"wall_s", std::round(times.wall_s * 1e3) / 1e3},
-                 {"peak_memory_mib", peak_memory_mib()}};
-  for (const char* key : {"poses", "edges"}) {
-    if (report[key].is_null()) {
-      report.erase(key);
-    }
+                 {"counts", describe(summary.counts)}};
+  if (summary.poses) {
+    report["poses"] = to_json(*summary.poses);
   }
+  if (summary.edges) {
+    report["edges"] = to_json(*summary.edges);
+  }
+  report["mount"] = describe(summary.mount);
+  report["skipped"] = describe(summary.skipped);
+  report["notes"] = summary.notes;
+  report["threads"] = options.threads;
+  report["stages"] = describe(times);
+  report["wall_s"] = std::round(times.wall_s * 1e3) / 1e3;
+  report["peak_memory_mib"] = peak_memory_mib();
   // Names of files may hold any bytes; what is no UTF-8 is replaced.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

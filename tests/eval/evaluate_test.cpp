@@ -1,5 +1,7 @@
 #include "berm/eval/evaluate.hpp"
 
+#include <string>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -153,6 +155,61 @@ TEST_F(EvaluateTest, IsOneJsonObject) {
   EXPECT_EQ(object["per_scan"][0]["scan"], "000000");
   EXPECT_FALSE(object.contains("piste"));
   EXPECT_TRUE(object["left_out"].contains("piste"));
+}
+
+/// A run along x for 60 m with an edge 5 m to the left, and truth beside it.
+class EvaluateEdgesTest : public EvaluateTest {
+ protected:
+  void SetUp() override {
+    EvaluateTest::SetUp();
+    test::spill(recording_ / "edges.csv",
+                "side,x,y,z\nleft,-100,5,0\nleft,200,5,0\n\nright,-100,-5,0\nright,200,-5,0\n");
+    test::spill(run_ / "edges.csv", "line,side,x,y,z,confidence\n0,left,0,5.1,0,0.9\n0,left,60,5.1,0,0.9\n");
+    test::spill(run_ / "trajectory.tum", poses(0.0));
+  }
+  [[nodiscard]] static std::string poses(double y_m) {
+    std::string text;
+    for (int i = 0; i <= 60; ++i) {
+      text += std::to_string(i) + " " + std::to_string(i) + " " + std::to_string(y_m) + " 0 0 0 0 1\n";
+    }
+    return text;
+  }
+};
+
+TEST_F(EvaluateEdgesTest, JudgesTheLinesOfTheRunByTruthNearItsPath) {
+  for (const bool has_truth : {false, true}) {
+    if (has_truth) {
+      test::spill(recording_ / "truth.tum", poses(0.2));
+    }
+    const Evaluation evaluation = evaluate_all();
+    ASSERT_TRUE(evaluation.edges) << evaluation.left_out.at("edges");
+    EXPECT_EQ(evaluation.edges->precision, 1.0);
+    EXPECT_NEAR(*evaluation.edges->recall, 0.29, 0.03) << "60 m of one side of 109 m of two";
+    EXPECT_NEAR(*evaluation.edges->lateral_median_m, 0.1, 1e-6);
+    EXPECT_EQ(evaluation.edges->wrong_side_share, 0.0);
+    const json object = json::parse(to_json(evaluation, run_, Recording::open(recording_)));
+    EXPECT_EQ(object["edges"]["precision"], 1.0);
+    EXPECT_EQ(object["edges"]["places"]["found"], evaluation.edges->found);
+    EXPECT_FALSE(object["left_out"].contains("edges"));
+  }
+}
+
+TEST_F(EvaluateEdgesTest, SaysWhyEdgesAreLeftOut) {
+  const auto reason = [this] { return evaluate_all().left_out.at("edges"); };
+  test::spill(recording_ / "truth.tum", poses(80.0));
+  EXPECT_NE(reason().find("another world frame"), std::string::npos);
+  fs::remove(recording_ / "truth.tum");
+  fs::remove(run_ / "trajectory.tum");
+  EXPECT_NE(reason().find("says where the machine was"), std::string::npos);
+  fs::remove(recording_ / "edges.csv");
+  EXPECT_EQ(reason(), "the recording has no edges.csv");
+  fs::remove(run_ / "edges.csv");
+  EXPECT_EQ(reason(), "the run has no edges.csv");
+}
+
+TEST_F(EvaluateEdgesTest, ABrokenFileIsAnError) {
+  test::spill(run_ / "edges.csv", "line,side,x,y,z,confidence\n0,left,nan,5.1,0,0.9\n");
+  EXPECT_THROW(static_cast<void>(evaluate_all()), FileError);
 }
 
 }  // namespace

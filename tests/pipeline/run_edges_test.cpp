@@ -44,6 +44,15 @@ TEST_F(RunEdgesTest, WritesTheMapAndItsLines) {
     EXPECT_GE(edges[side]["lines"], 1) << side;
     EXPECT_GT(edges[side]["km"], 0.01) << side;
   }
+  EXPECT_EQ(report["files"]["road"], "road.csv");
+  EXPECT_NEAR(edges["road"]["stations"].get<double>(), 16.0, 2.0);
+  EXPECT_EQ(edges["road"]["width_rule"], (json{{"unknown", edges["road"]["stations"]}})) << "no truck is known";
+  std::size_t judged = 0;
+  for (const auto& [verdict, stations] : edges["road"]["grade_rule"].items()) {
+    EXPECT_TRUE(verdict == "holds" || verdict == "uncertain" || verdict == "unknown") << "the road is level";
+    judged += stations.get<std::size_t>();
+  }
+  EXPECT_EQ(judged, edges["road"]["stations"]);
   EXPECT_EQ(report["poses"]["jumps"], 0);
   for (const char* stage : {"edge", "map"}) {
     EXPECT_GT(report["stages"][stage]["max_ms"], 0.0) << stage;
@@ -145,6 +154,37 @@ TEST_F(RunEdgesTest, AMapThatTheRunWouldReplaceIsRefused) {
   const std::string bytes = test::slurp(out_ / "edges.ot");
   EXPECT_THROW(static_cast<void>(run_it({.force = true, .map = out_ / "edges.ot"})), FileError);
   EXPECT_EQ(test::slurp(out_ / "edges.ot"), bytes);
+}
+
+TEST_F(RunEdgesTest, ARoadThatIsTooLongForOneMapIsRefusedAtOnce) {
+  machine_.map.voxel_m = 0.02;  // 1.3 km from end to end
+  TruckDrive far = drive_;
+  far.origin_m = {3000.0, 0.0, 0.0};
+  put_poses(drive_.poses());
+  static_cast<void>(run_it());
+  const fs::path old = folder_ / "old.ot";
+  fs::copy_file(out_ / "edges.ot", old);
+  put_poses(far.poses());
+  EXPECT_THROW(static_cast<void>(run_it({.output = folder_ / "far", .map = old})), Error);
+  EXPECT_FALSE(fs::exists(folder_ / "far"));
+}
+
+TEST_F(RunEdgesTest, AFailureWhileTheMapIsSavedLeavesNoRunAndKeepsTheOldMap) {
+  put_poses(drive_.poses());
+  static_cast<void>(run_it());
+  const fs::path old = folder_ / "old.ot";
+  fs::copy_file(out_ / "edges.ot", old);
+  const fs::path broken = folder_ / "broken";
+  // The map cannot get its name: a folder has it.
+  const auto block = [&](std::size_t done, std::size_t) {
+    if (done == 1) {
+      fs::create_directories(broken / "edges.ot/in_the_way");
+    }
+  };
+  EXPECT_THROW(static_cast<void>(run_it({.output = broken, .map = old, .on_progress = block})), FileError);
+  EXPECT_FALSE(fs::exists(broken / "run.json"));
+  EXPECT_FALSE(fs::exists(broken / "scans.csv"));
+  EXPECT_TRUE(test::slurp(old) == test::slurp(out_ / "edges.ot"));
 }
 
 TEST_F(RunEdgesTest, AMapNeedsPosesAndAnEdgeMethod) {

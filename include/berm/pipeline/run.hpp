@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "berm/core/pose_guard.hpp"
+#include "berm/core/road.hpp"
+#include "berm/io/datum.hpp"
 #include "berm/io/pose_log.hpp"
 #include "berm/io/recording.hpp"
 #include "berm/pipeline/machine.hpp"
@@ -69,6 +71,18 @@ struct PoseFigures {
   std::array<double, kPoseTrusts> distrusted_s{};  ///< time without trust, by PoseTrust
 };
 
+/// Values of RuleVerdict.
+inline constexpr std::size_t kRuleVerdicts = 4;
+
+/// Stations of the road, and at how many of them each rule has which verdict, by RuleVerdict.
+struct RoadCounts {
+  std::size_t stations = 0;
+  std::array<std::size_t, kRuleVerdicts> width{};
+  std::array<std::size_t, kRuleVerdicts> grade{};
+  std::array<std::size_t, kRuleVerdicts> left_berm{};
+  std::array<std::size_t, kRuleVerdicts> right_berm{};
+};
+
 /// What became of the edges of the road.
 struct EdgeCounts {
   std::uint64_t points = 0;                           ///< that were found, in all labelled scans
@@ -80,6 +94,7 @@ struct EdgeCounts {
   std::size_t voxels = 0;                             ///< of the map that were seen
   std::array<std::size_t, 2> lines{};                 ///< by EdgeSide
   std::array<double, 2> lines_m{};                    ///< their length
+  RoadCounts road;
 };
 
 struct RunSummary {
