@@ -22,8 +22,6 @@ constexpr double kFallShare = 0.3;
 constexpr int kHiddenStrips = 2;
 /// Lower is no berm.
 constexpr double kLeastHeight_m = 0.15;
-/// In half of the looks something is that high: a truck that stood there for a while, or dust, is in fewer.
-constexpr double kTopShare = 0.5;
 /// Of the crest from part to part, and what all parts share: the road at the toe, the pose, the spacing of rings.
 constexpr double kLeastScatter_m = 0.06;
 constexpr double kFloor_m = 0.07;
@@ -48,7 +46,8 @@ std::optional<double> road_at_toe_m(const RoadSightings& seen, std::size_t place
   return strips > 0 ? std::optional(sum_m / strips) : std::nullopt;
 }
 
-/// What is high in enough of the looks that saw anything; none where none did.
+/// How high at least two of the looks say it is, more of four: a truck that stood there for a while, or dust, is in
+/// fewer. None where nothing was seen.
 std::optional<double> top_of(std::span<const float> tops_m) {
   std::array<float, kWideLooks> sorted_m{};
   std::copy(tops_m.begin(), tops_m.end(), sorted_m.begin());
@@ -59,7 +58,7 @@ std::optional<double> top_of(std::span<const float> tops_m) {
   if (count == 0) {
     return std::nullopt;
   }
-  return double{*(first + static_cast<std::ptrdiff_t>(kTopShare * static_cast<double>(count - 1) + 0.5))};
+  return double{first[count > 2 ? count / 2 : 0]};
 }
 
 /// Height of the crest over `road_m` in one part of a place: outward from the toe until it falls, or hides the rest.
