@@ -106,6 +106,8 @@ struct SparseSnow::State {
         dark{static_cast<float>(c.dark_points), static_cast<float>(c.dark_share)},
         bright{static_cast<float>(c.bright_points), static_cast<float>(c.bright_share)} {}
 
+  /// Takes the memory that any scan of so many points can need.
+  void reserve(std::size_t points);
   void find_levels(std::span<const float> intensity);
   void sort_by_level();
   void find_sample();
@@ -136,6 +138,15 @@ struct SparseSnow::State {
   std::vector<std::uint32_t> marks;  ///< near points that were found to be flakes
   std::vector<std::uint8_t> falling;
 };
+
+void SparseSnow::State::reserve(std::size_t points) {
+  for (auto* flags : {&level, &alone, &chosen_alone}) {
+    flags->reserve(points);
+  }
+  for (auto* indices : {&by_level, &sample, &chosen, &may_be_lines, &marks}) {
+    indices->reserve(points + 1);
+  }
+}
 
 void SparseSnow::State::find_levels(std::span<const float> intensity) {
   const std::span<const std::uint32_t> index = near.indices();
@@ -276,6 +287,7 @@ SparseSnow::~SparseSnow() = default;
 SnowResult SparseSnow::process(const PointsView& points, const Pose& /*T_base_sensor*/) {
   State& s = *state_;
   const SnowLimits limits = find_limits(points);
+  s.reserve(points.size());
   s.falling.assign(points.size(), 0);
   s.near.build(points, s.max_range_m);
   double purity = 0.0;
