@@ -257,8 +257,9 @@ bool NearPoints::lies_on_line(std::size_t i, float tolerance_m, float share) con
     std::uint32_t cell;
     std::uint32_t behind;
   };
+  const bool deep = inner && cells_.is_inner(own - side - 1U) && cells_.is_inner(own + side + 1U);
   const auto side_at = [&](std::uint32_t cell) {
-    return Side{cell, inner && cells_.is_inner(cell) ? cell + cell - own : cells_.nowhere()};
+    return Side{cell, deep || (inner && cells_.is_inner(cell)) ? cell + cell - own : cells_.nowhere()};
   };
   const auto may_hold = [&](const Side& s) { return ((has_near_[s.cell] | has_near_[s.behind]) & parts) != 0; };
   const auto cell_holds = [&](std::uint32_t c) {

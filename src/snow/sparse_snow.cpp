@@ -127,7 +127,9 @@ struct SparseSnow::State {
   Demand bright;
 
   NearPoints near;
-  std::vector<std::uint8_t> level;                       ///< of intensity, of every near point
+  std::vector<std::uint8_t> level;  ///< of intensity, of every near point
+  /// How many near points of even and of odd number have a level.
+  std::array<std::array<std::uint32_t, 2>, kLevels> level_counts{};
   std::array<std::uint32_t, kLevels + 1> level_begin{};  ///< of a level in `by_level`
   std::vector<std::uint32_t> by_level;                   ///< near points, sorted by level
   std::vector<std::uint8_t> alone;                       ///< of the first of `by_level`: 1 for a flake
@@ -153,8 +155,12 @@ void SparseSnow::State::find_levels(std::span<const float> intensity) {
   level.resize(index.size());
   const float* __restrict from = intensity.data();
   std::uint8_t* __restrict to = level.data();
+  std::array<std::array<std::uint32_t, 2>, kLevels>& counts = level_counts;
+  counts.fill({});
   for (std::size_t i = 0; i < index.size(); ++i) {
-    to[i] = level_of(from[index[i]]);
+    const std::uint8_t l = level_of(from[index[i]]);
+    to[i] = l;
+    ++counts[l][i % 2];
   }
 }
 
@@ -162,10 +168,7 @@ void SparseSnow::State::find_levels(std::span<const float> intensity) {
 /// need not wait for each other.
 void SparseSnow::State::sort_by_level() {
   const std::size_t size = near.size();
-  std::array<std::array<std::uint32_t, 2>, kLevels> place{};
-  for (std::size_t i = 0; i < size; ++i) {
-    ++place[level[i]][i % 2];
-  }
+  std::array<std::array<std::uint32_t, 2>, kLevels>& place = level_counts;
   std::uint32_t sum = 0;
   for (std::size_t l = 0; l < kLevels; ++l) {
     level_begin[l] = sum;
