@@ -25,8 +25,7 @@ std::vector<RoadMethod> changed_road_methods() {
     methods.push_back(road_method(std::string("without ") + step, {std::string("edge.") + step + "=false"}));
   }
   methods.push_back(road_method("gaps are not crossed", {"lines.max_gap_m=0.1", "lines.max_hidden_m=0.1"}));
-  for (const char* change : {"lines.max_hidden_m=8", "lines.max_gap_m=5", "edge.min_height_m=0.15",
-                             "edge.min_height_m=0.4", "edge.min_radius_m=80", "map.voxel_m=0.4"}) {
+  for (const char* change : {"edge.min_height_m=0.15", "edge.min_radius_m=80"}) {
     methods.push_back(road_method(change, {change}));
   }
   return methods;

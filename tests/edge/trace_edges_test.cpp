@@ -53,6 +53,23 @@ TEST(TraceEdges, PutTheToeOfALowBermToADecimetreAndMeasureIt) {
   }
 }
 
+TEST(TraceEdges, SeeTheEdgeAcrossTracesWhereTheyRunAlongIt) {
+  // Beside the machine, rings of 15 m and 17 m run along a berm at 18 m: the next ones lie on its flank.
+  const test::RoadScan scan = test::scan_road(test::road_between_berms(18.0, 2.0));
+  const auto beside = [](const std::vector<EdgePoint>& found) {
+    return std::count_if(found.begin(), found.end(), [](const EdgePoint& edge) { return std::abs(edge.x_m) < 4.0F; });
+  };
+  TraceEdgesConfig without;
+  without.across = false;
+  const std::vector<EdgePoint> found = find(scan);
+  EXPECT_GE(beside(found), 4);
+  EXPECT_EQ(beside(find(scan, without)), 0);
+  for (const EdgePoint& edge : found) {
+    EXPECT_NEAR(std::abs(edge.y_m), 18.0F, 0.3F) << edge.x_m;
+    EXPECT_NEAR(edge.z_m, -4.0F, 0.2F);
+  }
+}
+
 TEST(TraceEdges, SayWhenEachWasSeen) {
   const test::RoadScan scan = test::scan_road(test::road_between_berms(double{kHalf_m}, 1.0));
   for (const EdgePoint& edge : find(scan)) {
