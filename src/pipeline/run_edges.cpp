@@ -28,7 +28,7 @@ std::optional<EdgeMap> read_old_map(const RunOptions& options, const Machine& ma
     return std::nullopt;
   }
   std::error_code code;
-  if (fs::equivalent(fs::absolute(options.map).parent_path(), options.output, code)) {
+  if (fs::equivalent(options.map, options.output / "edges.ot", code)) {
     refuse_map(options.map, "is a result in the output folder, which is about to be replaced; choose another folder");
   }
   FileBuffer buffer;

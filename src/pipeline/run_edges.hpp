@@ -24,6 +24,10 @@ class RunEdges {
   /// Error(invalid_argument) for a map without an edge method or poses, or one that the results would replace.
   RunEdges(const Recording& recording, const Machine& machine, const RunOptions& options, std::size_t selected);
 
+  RunEdges(const RunEdges&) = delete;
+  RunEdges& operator=(const RunEdges&) = delete;
+  ~RunEdges() = default;
+
   [[nodiscard]] const std::optional<RunPoses>& poses() const { return poses_; }
   [[nodiscard]] bool has_map() const { return mapper_.has_value(); }
 

@@ -152,7 +152,10 @@ TEST_F(RunEdgesTest, AMapThatTheRunWouldReplaceIsRefused) {
   put_poses(drive_.poses());
   static_cast<void>(run_it());
   const std::string bytes = test::slurp(out_ / "edges.ot");
-  EXPECT_THROW(static_cast<void>(run_it({.force = true, .map = out_ / "edges.ot"})), FileError);
+  fs::create_symlink(out_ / "edges.ot", folder_ / "link.ot");
+  for (const fs::path& map : {out_ / "edges.ot", folder_ / "link.ot"}) {
+    EXPECT_THROW(static_cast<void>(run_it({.force = true, .map = map})), FileError);
+  }
   EXPECT_EQ(test::slurp(out_ / "edges.ot"), bytes);
 }
 
