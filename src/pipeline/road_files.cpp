@@ -1,7 +1,5 @@
 #include "road_files.hpp"
 
-#include <algorithm>
-
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/edge_export.hpp"
 #include "berm/io/edge_lines_file.hpp"

@@ -74,7 +74,7 @@ RunPoses from_log(const fs::path& file, const Machine& machine, const std::optio
   poses.poor_fix_stamps = std::move(log.poor_fix_stamps);
   const std::string name = file.filename().string();
   for (const std::string& note : log.notes) {
-    poses.notes.push_back(name + ": " + note);
+    poses.notes.push_back(fmt::format("{}: {}", name, note));
   }
   if (const auto losses = describe_losses(log.counts, name)) {
     poses.notes.push_back(*losses);
