@@ -442,7 +442,7 @@ void raise(const MadeRoad& road, std::vector<MadeScan>& scans, double crest_m, b
       const double s_m = static_cast<double>(i) - 25.0 + 0.025 * k;
       const double beyond_m = (is_wall ? 0.12 : 0.04) * (k % 53);
       const double flank_m = is_wall ? 2.0 * beyond_m : crest_m * std::max(1.0 - std::abs(beyond_m - 1.5) / 1.5, 0.0);
-      scans[i].raised_m.push_back(road.at(s_m, road.left_m + beyond_m) + Eigen::Vector3d(0.0, 0.0, flank_m));
+      scans[i].raised_m.emplace_back(road.at(s_m, road.left_m + beyond_m) + Eigen::Vector3d(0.0, 0.0, flank_m));
     }
   }
 }
@@ -459,7 +459,7 @@ TEST(RoadSurvey, MeasuresTheCrestOfTheBerm) {
     raise(road, scans, crest_m, false);
     // Something stood there for a few metres of driving.
     for (std::size_t i = 10; i < 15; ++i) {
-      scans[i].raised_m.push_back(road.at(20.0, road.left_m + 1.0) + Eigen::Vector3d(0.0, 0.0, 4.0));
+      scans[i].raised_m.emplace_back(road.at(20.0, road.left_m + 1.0) + Eigen::Vector3d(0.0, 0.0, 4.0));
     }
     const auto stations = test::survey({}, road.path(0.0, 40.0), scans, road.lines(-5.0, 45.0));
     for (std::size_t i = 5; i < 35; ++i) {
