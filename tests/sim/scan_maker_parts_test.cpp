@@ -38,7 +38,7 @@ TEST(BeamRandom, PairsAreNormalAndIndependent) {
   int beyond_two = 0;
   for (int i = 0; i < kCount; ++i) {
     Random random(3, Purpose::beam, 0, static_cast<std::uint64_t>(i));
-    const NormalPair pair = normal_pair(random);
+    const NormalPair pair = normal_pair(uniform_pair(random));
     const auto a = static_cast<double>(pair.first);
     const auto b = static_cast<double>(pair.second);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -175,13 +175,13 @@ TEST(Echoes, TakeTheLabelOfMostOfTheEnergy) {
 }
 
 TEST(BeamOptics, ShadesBetweenLambertAndFlat) {
-  EXPECT_FLOAT_EQ(shade(Surface::paint, 0.3F), 0.3F);
+  EXPECT_FLOAT_EQ(shade(roughness_of(Surface::paint), 0.3F), 0.3F);
   for (const Surface surface : {Surface::groomed_snow, Surface::gravel, Surface::asphalt, Surface::cloth}) {
-    EXPECT_FLOAT_EQ(shade(surface, 1.0F), 1.0F);
+    EXPECT_FLOAT_EQ(shade(roughness_of(surface), 1.0F), 1.0F);
   }
   // The paper saw snow at 150 to 153 from 10 to 40 m, where it is grazed.
-  EXPECT_NEAR(shade(Surface::groomed_snow, 0.1F), 1.0F, 0.1F);
-  EXPECT_LT(shade(Surface::asphalt, 0.1F), 0.5F);
+  EXPECT_NEAR(shade(roughness_of(Surface::groomed_snow), 0.1F), 1.0F, 0.1F);
+  EXPECT_LT(shade(roughness_of(Surface::asphalt), 0.1F), 0.5F);
 }
 
 TEST(BeamOptics, FindsHalfAtTheLimit) {
@@ -192,16 +192,7 @@ TEST(BeamOptics, FindsHalfAtTheLimit) {
 }
 
 TEST(BeamOptics, AveragesCorduroyOverTheFootprint) {
-  OpticsConfig optics;
-  optics.aperture_m = 0.0;
-  optics.divergence_x_mrad = 3.0;
-  optics.divergence_y_mrad = 0.0;
-  Hit hit;
-  hit.across_slope = {0.0F, 1.0F};
-  const Eigen::Vector3f ahead(0.99F, 0.0F, -0.14F);
   const auto height_m = [&](double range_m, double across_m) {
-    hit.range_m = range_m;
-    hit.across_m = across_m;
     // The mean of the ridges over the width, by sums.
     const double width_m = 0.003 * range_m;
     double sum = 0.0;
@@ -209,7 +200,9 @@ TEST(BeamOptics, AveragesCorduroyOverTheFootprint) {
       const double y_m = across_m + width_m * ((i + 0.5) / 1000.0 - 0.5);
       sum += 0.01 * std::cos(2.0 * std::numbers::pi * y_m / 0.024) / 1000.0;
     }
-    EXPECT_NEAR(corduroy_m(hit, ahead.normalized(), 0.14F, optics), sum, 1e-5) << range_m << " " << across_m;
+    const float found_m =
+        corduroy_m({static_cast<float>(across_m), 0.0F, 1.0F, 0.99F, 0.0F, static_cast<float>(width_m), 0.0F});
+    EXPECT_NEAR(found_m, sum, 1e-5) << range_m << " " << across_m;
     return sum;
   };
   EXPECT_NEAR(height_m(0.01, -100.0 * 0.024), 0.01, 1e-4);
@@ -221,12 +214,12 @@ TEST(BeamOptics, AveragesCorduroyOverTheFootprint) {
 }
 
 TEST(BeamOptics, MirrorsMoreWhereGrazedButNeverAll) {
-  const SurfaceOptics water{2.0, 1.0, 0.0, 0.9};
-  const SurfaceOptics asphalt{8.0, 1.0, 0.0, 0.02};
-  EXPECT_FLOAT_EQ(mirrored(water, 1.0F), 0.9F);
-  EXPECT_GT(mirrored(water, 0.1F), 0.94F);
-  EXPECT_LE(mirrored(water, 0.0F), 1.0F);
-  EXPECT_LT(mirrored(asphalt, 0.05F), 0.05F);
+  constexpr float kWater = 0.9F;
+  constexpr float kAsphalt = 0.02F;
+  EXPECT_FLOAT_EQ(mirrored(kWater, 1.0F), 0.9F);
+  EXPECT_GT(mirrored(kWater, 0.1F), 0.94F);
+  EXPECT_LE(mirrored(kWater, 0.0F), 1.0F);
+  EXPECT_LT(mirrored(kAsphalt, 0.05F), 0.05F);
 }
 
 }  // namespace

@@ -36,6 +36,15 @@ struct RawHit {
   [[nodiscard]] bool is_nothing() const { return object == kNothing; }
 };
 
+/// Where on the mesh of the terrain a ray met it.
+struct TerrainSpot {
+  std::uint32_t lower = 0;  ///< sample at the lower left corner of the cell
+  std::uint32_t upper = 0;  ///< at the upper left one
+  float share_u = 0.0F;     ///< place within the cell, 0..1
+  float share_v = 0.0F;
+  float cells_per_m = 0.0F;
+};
+
 struct RayCasterConfig {
   double fine_cell_m = 0.25;   ///< mesh of the terrain near the route
   double fine_width_m = 25.0;  ///< how far from the route it is that fine; coarser by two for every doubling
@@ -83,11 +92,13 @@ class RayCaster {
   /// What a ray met; `raw` must not be nothing.
   [[nodiscard]] Hit describe(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction,
                              const RawHit& raw) const;
+  /// The same in two steps, so that the processor can fetch in the meantime what the second one reads: many times
+  /// `spot_of`, then as often `describe`.
+  [[nodiscard]] TerrainSpot spot_of(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction,
+                                    const RawHit& raw) const;
+  [[nodiscard]] Hit describe(const Eigen::Vector3f& direction, const RawHit& raw, const TerrainSpot& spot) const;
   /// Only what it is made of, which is cheaper. Not for the terrain.
   [[nodiscard]] Material material_of(const RawHit& hit) const;
-
-  /// Has the processor fetch what `describe` will need.
-  void prefetch(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction, const RawHit& hit) const;
 
   /// Of Embree and of what is kept beside it.
   [[nodiscard]] std::size_t memory_bytes() const;

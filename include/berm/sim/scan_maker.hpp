@@ -37,6 +37,8 @@ struct MadeScan {
   ScanScratch scratch;  ///< no part of the result
 };
 
+struct Return;
+
 /// Fires the beams of a sensor into a world: mixed and double echoes, porous crowns and nets, grazing and dark
 /// surfaces, snowfall, dust, noise, motion within the scan.
 class ScanMaker {
@@ -59,8 +61,9 @@ class ScanMaker {
   /// The rays of the middles of all beams; where the sensor is as the scan begins.
   Place aim(std::size_t index, Stamp stamp_ns, ScanScratch::Memory& memory) const;
   void cast(const Place& place, ScanScratch::Memory& memory) const;
-  void probe_torn(const Place& place, ScanScratch::Memory& memory) const;
   void write(double height_m, ScanScratch::Memory& memory, MadeScan& scan) const;
+  /// False: the sensor leaves out beams without echo.
+  bool write_point(const Return& got, const Beams& beams, std::size_t beam, std::size_t at, MadeScan& scan) const;
 
   Sensor sensor_;
   BeamPattern pattern_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace berm::sim {
@@ -20,6 +21,7 @@ enum class Surface : std::uint8_t {
   cloth,  ///< billboards
   concrete,
 };
+constexpr std::size_t kSurfaces = 13;
 
 /// SemanticKITTI ids of the truth.
 namespace truth {

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "berm/sim/weather.hpp"
+#include "air_lanes.hpp"
 
 namespace berm::sim {
 
@@ -14,15 +13,12 @@ class Gusts {
  public:
   Gusts(const SnowfallConfig& snowfall, std::uint64_t seed);
 
-  [[nodiscard]] double at(const Eigen::Vector3d& place_m, double time_s) const;
+  /// For every beam, `range_m` along it or where it ends before. Fills the packets of `factors`.
+  void along(const AirLanes& beams, float range_m, std::span<float> factors) const;
 
  private:
   /// The lattice repeats after so many nodes: 770 m at the usual size of a gust.
-  static constexpr std::int64_t kNodes = 64;
-
-  [[nodiscard]] double node(std::int64_t column, std::int64_t row) const {
-    return nodes_[static_cast<std::size_t>((row & (kNodes - 1)) * kNodes + (column & (kNodes - 1)))];
-  }
+  static constexpr std::int32_t kNodes = 64;
 
   double gustiness_;
   double nodes_per_m_;

@@ -3,53 +3,62 @@
 #include <array>
 #include <cstddef>
 
+#include "air_lanes.hpp"
 #include "plume_tree.hpp"
 
 namespace berm::sim {
 
 /// Sigmas from its middle to where a plume ends.
 constexpr double kPlumeReach = 4.0;
+/// Plumes that the beams of a packet can be in at once; more of them add nothing that could be seen.
+constexpr std::size_t kMostCrossings = 64;
 
-/// The plumes that one beam passes: Gaussians along the beam, whose depths are error functions.
-class PlumeCrossings {
- public:
-  struct Place {
-    float range_m;
-    float extinction_per_m;
+/// The plumes that the beams of a packet pass: Gaussians along each beam, whose depths are error functions. Up to a
+/// range the depth is the sum of half_depth * (erf(range * rate - middle) + erf(middle)).
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): as many are written as are read
+struct PlumeCrossings {
+  using Packet = std::array<float, AirLanes::kPacket>;
+  struct alignas(32) Crossing {
+    Packet half_depth;
+    Packet rate_per_m;
+    Packet middle;
   };
 
-  PlumeCrossings(const PlumeTree& tree, const AirBeam& beam);
+  std::array<Crossing, kMostCrossings> crossings;
+  std::size_t count = 0;            ///< of plumes that any beam crosses; 0: nothing else is known
+  alignas(32) Packet before;        ///< sum of half_depth * erf(middle)
+  alignas(32) Packet total;         ///< one-way optical depth of the whole beam
+  alignas(32) Packet transmission;  ///< what is left of the light on the way there and back
+  alignas(32) Packet most_per_m;    ///< no place on the line of the beam has more extinction
+};
 
-  [[nodiscard]] bool is_empty() const { return count_ == 0; }
-  /// One-way optical depth of the whole beam.
-  [[nodiscard]] float total() const { return total_; }
-  /// No place on the line of the beam has more extinction.
-  [[nodiscard]] float most_per_m() const { return most_per_m_; }
-  /// One-way optical depth from the sensor to a range.
-  [[nodiscard]] float depth(float range_m) const;
-  /// The place up to which the depth is `sought`, between 0 and `end_m`; `end_depth` is that of `end_m`, and more.
-  [[nodiscard]] Place place_of(float sought, float end_m, float end_depth) const;
+/// Fills in what the beams from lane `first` on, a packet of them, cross.
+void find_crossings(const PlumeTree& tree, const AirLanes& beams, std::size_t first, PlumeCrossings& found);
 
- private:
-  [[nodiscard]] float extinction_per_m(float range_m) const;
+/// One-way optical depth from the sensor to a range of every beam.
+void depths_at(const PlumeCrossings& crossings, const PlumeCrossings::Packet& range_m, PlumeCrossings::Packet& depth);
 
-  /// Groups that one beam can be in at once; more of them add nothing that could be seen.
-  static constexpr std::size_t kMost = 16;
+/// Beams of any packets that seek places by the depth up to them, put together to a packet of their own.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the constructor calls `clear`
+struct PlaceSeekers {
+  using Packet = PlumeCrossings::Packet;
 
-  /// Depth up to a range: half_depth * (erf(range * rate - middle) + erf(middle)), for four plumes.
-  struct Crossing {
-    Four half_depth;
-    Four rate_per_m;
-    Four middle;
-  };
+  PlaceSeekers() { clear(); }
+  void clear();
+  [[nodiscard]] bool is_full() const { return count == AirLanes::kPacket; }
+  /// Beam `lane` of a packet seeks the place between 0 and `to_m` where the depth is `depth`; that at the end is no
+  /// less.
+  void add(const PlumeCrossings& packet, std::size_t lane, float to_m, float depth, float depth_at_end);
+  /// Fills in `range_m` and `extinction_per_m`.
+  void find();
 
-  void add(const PlumeGroup& group, const Eigen::Array3f& origin_m, const Eigen::Array3f& direction, float end_m);
-
-  std::array<Crossing, kMost> crossings_;
-  std::size_t count_ = 0;
-  float before_ = 0.0F;  ///< of the sums of half_depth * erf(middle)
-  float total_ = 0.0F;
-  float most_per_m_ = 0.0F;
+  PlumeCrossings crossings;
+  std::size_t count = 0;
+  alignas(32) Packet end_m{};
+  alignas(32) Packet sought{};
+  alignas(32) Packet end_depth{};
+  alignas(32) Packet range_m{};
+  alignas(32) Packet extinction_per_m{};
 };
 
 }  // namespace berm::sim

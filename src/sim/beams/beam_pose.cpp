@@ -61,13 +61,18 @@ void ScrewMotion::at(double s, Placed& placed) const {
 
 void DensePoses::at(double time_s, Placed& placed) {
   if (!(time_s <= to_s_)) {
-    from_s_ = time_s;
-    to_s_ = time_s + kMaxGap_s;
-    Placed to;
-    motion_.at(from_s_ / lasts_s_, from_);
-    motion_.at(to_s_ / lasts_s_, to);
-    per_s_.rotation = (to.rotation - from_.rotation) / kMaxGap_s;
-    per_s_.origin_m = (to.origin_m - from_.origin_m) / kMaxGap_s;
+    // Most often the next time is soon after: then one end is known.
+    const bool goes_on = time_s <= to_s_ + kMaxGap_s;
+    from_s_ = goes_on ? to_s_ : time_s;
+    to_s_ = from_s_ + kMaxGap_s;
+    if (goes_on) {
+      from_ = to_;
+    } else {
+      motion_.at(from_s_ / lasts_s_, from_);
+    }
+    motion_.at(to_s_ / lasts_s_, to_);
+    per_s_.rotation = (to_.rotation - from_.rotation) * (1.0 / kMaxGap_s);
+    per_s_.origin_m = (to_.origin_m - from_.origin_m) * (1.0 / kMaxGap_s);
   }
   const double since_s = time_s - from_s_;
   placed.rotation = from_.rotation + since_s * per_s_.rotation;
@@ -88,11 +93,16 @@ PoseTrack::PoseTrack(const Trajectory& trajectory) {
   }
 }
 
-void PoseTrack::at(double time_s, Placed& placed) const {
+PoseTrack::Since PoseTrack::pose_before(double time_s) const {
   const auto after = std::upper_bound(times_s_.begin(), times_s_.end(), time_s);
   const std::size_t i = after == times_s_.begin() ? 0 : static_cast<std::size_t>(after - times_s_.begin()) - 1;
   const bool moves = after != times_s_.begin() && after != times_s_.end();
-  motions_[i].at(moves ? (time_s - times_s_[i]) / (times_s_[i + 1] - times_s_[i]) : 0.0, placed);
+  return {i, moves ? time_s - times_s_[i] : 0.0};
+}
+
+void PoseTrack::at(double time_s, Placed& placed) const {
+  const auto [i, since_s] = pose_before(time_s);
+  motions_[i].at(since_s > 0.0 ? since_s / (times_s_[i + 1] - times_s_[i]) : 0.0, placed);
 }
 
 }  // namespace berm::sim

@@ -49,6 +49,7 @@ class DensePoses {
   double from_s_ = 0.0;
   double to_s_ = -1.0;  ///< nothing is known yet
   Placed from_;
+  Placed to_;
   Placed per_s_;
 };
 
@@ -59,6 +60,13 @@ class PoseTrack {
   explicit PoseTrack(const Trajectory& trajectory);
 
   void at(double time_s, Placed& placed) const;
+
+  struct Since {
+    std::size_t index;  ///< of a pose
+    double since_s;     ///< how long it moves from there on, 0 where it stands still
+  };
+  /// The last pose that is no later, or the first.
+  [[nodiscard]] Since pose_before(double time_s) const;
   /// Largest speed of the origin between two poses.
   [[nodiscard]] double max_speed_m_per_s() const { return max_speed_m_per_s_; }
 

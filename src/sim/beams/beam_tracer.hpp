@@ -34,9 +34,15 @@ struct TracedRay {
 /// The first hits of all rays. Rays `step` apart look in nearly the same direction: they are packed together.
 void cast_all(const RayCaster& caster, std::span<TracedRay> rays, std::size_t step, float max_range_m);
 
+/// Memory of `settle`: the rays that go on, and room to sort them.
+struct PendingRays {
+  std::vector<std::uint32_t> rays;
+  std::vector<std::uint32_t> sorted;
+};
+
 /// Goes on from the hits of `cast_all` until every ray has met what it does not pass. `randoms` is by beam; `pending`
 /// is memory.
 void settle(const RayCaster& caster, std::span<TracedRay> rays, float max_range_m, std::span<Random> randoms,
-            std::vector<std::uint32_t>& pending);
+            PendingRays& pending);
 
 }  // namespace berm::sim

@@ -1,15 +1,12 @@
 #include "echo_maker.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "beam_optics.hpp"
-#include "beam_random.hpp"
 
 namespace berm::sim {
 namespace {
 
-constexpr float kMaxReflectivity = 255.0F;
 constexpr std::uint32_t kFirstMover = 2;
 
 std::uint32_t label_of(const Hit& hit) {
@@ -20,127 +17,207 @@ std::uint32_t label_of(const Hit& hit) {
   return id | ((hit.object - kFirstMover + 1) << 16U);
 }
 
+void dim(Echo& echo, float share) {
+  echo.energy *= share;
+  echo.light *= share;
+  echo.spot_sigma *= share;
+  echo.label_lead *= share;
+}
+
+Echo echo_of(const AirEcho& air) {
+  Echo echo;
+  echo.range_m = static_cast<float>(air.range_m);
+  echo.energy = static_cast<float>(air.reflectivity);
+  echo.light = static_cast<float>(air.light);
+  echo.label = air.dust ? truth::kDust : truth::kFallingSnow;
+  echo.label_lead = echo.energy;
+  return echo;
+}
+
 }  // namespace
 
-Return EchoMaker::echo_of(std::span<const TracedRay> rays, double height_m, Random& random,
-                          std::span<Echo> memory) const {
-  if (random.chance(optics_.dropout)) {
-    return {};
+EchoMaker::EchoMaker(const RayCaster& caster, const Weather& weather, const OpticsConfig& optics)
+    : caster_(caster),
+      weather_(weather),
+      optics_(optics),
+      choice_(echo_choice(optics.echo)),
+      weathers_(!weather.is_clear()),
+      per_limit_(static_cast<float>(1.0 / optics.detection_limit())),
+      min_range_m_(static_cast<float>(optics.min_range_m)),
+      max_range_m_(static_cast<float>(optics.max_range_m)),
+      separation_m_(static_cast<float>(optics.echo_separation_m)) {
+  for (std::size_t i = 0; i < kSurfaces; ++i) {
+    const auto surface = static_cast<Surface>(i);
+    const SurfaceOptics& of = optics_of(surface);
+    lane_optics_[i] = {static_cast<float>(of.reflectivity),
+                       static_cast<float>(of.reflectivity_sigma),
+                       static_cast<float>(of.relief_m),
+                       static_cast<float>(of.mirror),
+                       roughness_of(surface),
+                       surface == Surface::groomed_snow ? 1.0F : 0.0F};
   }
-  // Well before it is read: what is written by halves and read as a whole at once makes the processor wait.
-  AirBeam beam;
-  if (weathers_) {
-    beam.origin_m = rays.front().origin_m.cast<double>();
-    beam.direction = rays.front().direction.cast<double>();
-    beam.time_s = rays.front().time_s;
-  }
-  Echoes echoes;
-  echoes.parts = memory;
-  echoes.nearest_m = static_cast<float>(optics_.max_range_m);
-  const float share = 1.0F / static_cast<float>(rays.size());
-  for (const TracedRay& ray : rays) {
-    if (!ray.hit.is_nothing()) {
-      add_surface(ray, share, random, echoes);
-    }
-  }
-  if (weathers_) {
-    add_air(beam, height_m, random, echoes);
-  }
-  const std::span<Echo> parts = memory.first(echoes.count);
-  const std::size_t left = melt(parts, static_cast<float>(optics_.echo_separation_m));
-  const Echo* echo = choose(parts.first(left), random);
-  return echo == nullptr ? Return{} : report(*echo, random);
 }
 
-void EchoMaker::add_surface(const TracedRay& ray, float share, Random& random, Echoes& echoes) const {
-  const Hit hit = caster_.describe(ray.origin_m, ray.direction, ray.hit);
-  const auto range_m = static_cast<float>(hit.range_m);
-  if (range_m < echoes.nearest_m) {
-    echoes.nearest_m = range_m;
-    echoes.on_ground = hit.object == 0;
+void EchoMaker::returns_of(std::span<const FiredBeam> beams, double height_m, Lanes& lanes,
+                           std::span<Return> returns) const {
+  Block block;
+  meet(beams, lanes, block);
+  shade_all(optics_, lanes.surfaces);
+  if (weathers_) {
+    pass_air(beams, height_m, lanes.air, block);
   }
-  const SurfaceOptics& surface = optics_of(hit.material.surface);
+  receive(beams, block, lanes);
+  report_all(optics_, lanes.reports);
+  std::fill(returns.begin(), returns.end(), Return{});
+  const ReportLanes& reports = lanes.reports;
+  for (std::size_t i = 0; i < reports.count; ++i) {
+    const float range_m = reports.range_m[i];
+    if (range_m > 0.0F && range_m >= min_range_m_ && range_m <= max_range_m_) {
+      returns[reports.beam[i]] = {range_m, reports.reflectivity[i], reports.label[i]};
+    }
+  }
+}
+
+void EchoMaker::meet(std::span<const FiredBeam> beams, Lanes& lanes, Block& block) const {
+  std::size_t ray_count = 0;
+  for (const FiredBeam& beam : beams) {
+    for (const TracedRay& ray : beam.rays) {
+      lanes.spots[ray_count++] = caster_.spot_of(ray.origin_m, ray.direction, ray.hit);
+    }
+  }
+  const TerrainSpot* spot = lanes.spots.data();
+  SurfaceLanes& surfaces = lanes.surfaces;
+  surfaces.count = 0;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const FiredBeam& beam = beams[i];
+    Parts parts;
+    parts.is_lost = beam.random->chance(optics_.dropout);
+    parts.first = surfaces.count;
+    parts.nearest_m = max_range_m_;
+    const float share = 1.0F / static_cast<float>(beam.rays.size());
+    for (const TracedRay& ray : beam.rays) {
+      if (!parts.is_lost && !ray.hit.is_nothing()) {
+        add_surface(ray, *spot, share, *beam.random, surfaces, parts);
+      }
+      ++spot;
+    }
+    parts.count = surfaces.count - parts.first;
+    block[i] = parts;
+  }
+}
+
+void EchoMaker::add_surface(const TracedRay& ray, const TerrainSpot& spot, float share, Random& random,
+                            SurfaceLanes& lanes, Parts& parts) const {
+  const Hit hit = caster_.describe(ray.direction, ray.hit, spot);
+  const auto range_m = static_cast<float>(hit.range_m);
+  if (range_m < parts.nearest_m) {
+    parts.nearest_m = range_m;
+    parts.on_ground = hit.object == 0;
+  }
+  const LaneOptics& surface = lane_optics_[static_cast<std::size_t>(hit.material.surface)];
   const float cosine = std::clamp(-hit.normal.dot(ray.direction), 0.0F, 1.0F);
-  const float lost = mirrored(surface, cosine);
-  if (range_m < static_cast<float>(optics_.min_range_m) || (lost > 0.0F && random.chance(static_cast<double>(lost)))) {
+  const float lost = mirrored(surface.mirror, cosine);
+  if (range_m < min_range_m_ || (lost > 0.0F && random.chance(static_cast<double>(lost)))) {
     return;
   }
-  Echo& echo = echoes.parts[echoes.count++];
-  const float bright = share * shade(hit.material.surface, cosine);
-  const auto reflectivity = static_cast<float>(surface.reflectivity);
-  echo.range_m = range_m;
-  if (hit.material.surface == Surface::groomed_snow) {
-    echo.range_m -= corduroy_m(hit, ray.direction, cosine, optics_) / std::max(cosine, kLeastCosine);
-  }
-  echo.energy = bright * reflectivity;
-  echo.light = static_cast<float>(
-      received_light(optics_, surface.reflectivity * 0.01, static_cast<double>(share * cosine), hit.range_m));
-  echo.variance_m2 = relief_variance_m2(surface, cosine, range_m, optics_);
-  echo.spot_sigma = bright * static_cast<float>(surface.reflectivity_sigma);
-  echo.label = label_of(hit);
-  echo.label_lead = echo.energy;
+  const std::size_t lane = lanes.count++;
+  lanes.range_m[lane] = range_m;
+  lanes.cosine[lane] = cosine;
+  lanes.share[lane] = share;
+  lanes.reflectivity[lane] = surface.reflectivity;
+  lanes.reflectivity_sigma[lane] = surface.reflectivity_sigma;
+  lanes.relief_m[lane] = surface.relief_m;
+  lanes.roughness[lane] = surface.roughness;
+  lanes.ridges[lane] = surface.ridges;
+  lanes.across_m[lane] = static_cast<float>(hit.across_m);
+  lanes.slope_x[lane] = hit.across_slope.x();
+  lanes.slope_y[lane] = hit.across_slope.y();
+  lanes.dx[lane] = ray.direction.x();
+  lanes.dy[lane] = ray.direction.y();
+  lanes.label[lane] = label_of(hit);
 }
 
-void EchoMaker::add_air(AirBeam& beam, double height_m, Random& random, Echoes& echoes) const {
-  beam.end_m = static_cast<double>(echoes.nearest_m);
-  beam.height_m = height_m;
-  // Down to the ground that the beam meets; else as the beam itself rises or falls.
-  beam.slope = echoes.on_ground ? -height_m / std::max(beam.end_m, 1e-3) : beam.direction.z();
-  const AirPath air = weather_.along(beam, random);
-  const auto passes = static_cast<float>(air.transmission);
-  for (std::size_t i = 0; i < echoes.count; ++i) {
-    echoes.parts[i].energy *= passes;
-    echoes.parts[i].light *= passes;
-    echoes.parts[i].spot_sigma *= passes;
-    echoes.parts[i].label_lead *= passes;
-  }
-  if (air.has_echo && air.echo.range_m >= optics_.min_range_m) {
-    Echo& echo = echoes.parts[echoes.count++];
-    echo = {};
-    echo.range_m = static_cast<float>(air.echo.range_m);
-    echo.energy = static_cast<float>(air.echo.reflectivity);
-    echo.light = static_cast<float>(air.echo.light);
-    echo.label = air.echo.dust ? truth::kDust : truth::kFallingSnow;
-    echo.label_lead = echo.energy;
-  }
-}
-
-const Echo* EchoMaker::choose(std::span<const Echo> echoes, Random& random) const {
-  const Echo* chosen = nullptr;
-  float strongest = 0.0F;
-  for (const Echo& echo : echoes) {
-    const float signal = echo.light / detection_limit_;
-    // Echoes of the air are those that the sensor finds.
-    const bool is_air = echo.label == truth::kFallingSnow || echo.label == truth::kDust;
-    if (!is_air && !random.chance(static_cast<double>(detection_probability(signal)))) {
+void EchoMaker::pass_air(std::span<const FiredBeam> beams, double height_m, AirLanes& air, Block& block) const {
+  air.count = 0;
+  air.height_m = height_m;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    Parts& parts = block[i];
+    if (parts.is_lost) {
       continue;
     }
-    const bool better =
-        choice_ == EchoChoice::last || chosen == nullptr || (choice_ == EchoChoice::strongest && signal > strongest);
-    if (better) {
+    const TracedRay& ray = beams[i].rays.front();
+    const std::size_t lane = air.count++;
+    parts.air = lane;
+    air.x_m[lane] = ray.origin_m.x();
+    air.y_m[lane] = ray.origin_m.y();
+    air.z_m[lane] = ray.origin_m.z();
+    air.dx[lane] = ray.direction.x();
+    air.dy[lane] = ray.direction.y();
+    air.dz[lane] = ray.direction.z();
+    air.time_s[lane] = ray.time_s;
+    air.end_m[lane] = parts.nearest_m;
+    // Down to the ground that the beam meets; else as the beam itself rises or falls.
+    air.slope[lane] =
+        parts.on_ground ? -static_cast<float>(height_m) / std::max(parts.nearest_m, 1e-3F) : ray.direction.z();
+    air.random[lane] = beams[i].random;
+  }
+  weather_.along(air);
+}
+
+inline bool EchoMaker::finds(const Echo& echo, Random& random) const {
+  // Echoes of the air are those that the sensor finds.
+  return echo.label == truth::kFallingSnow || echo.label == truth::kDust ||
+         random.chance(static_cast<double>(detection_probability(echo.light * per_limit_)));
+}
+
+void EchoMaker::receive(std::span<const FiredBeam> beams, const Block& block, Lanes& lanes) const {
+  lanes.reports.count = 0;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const Parts& parts = block[i];
+    if (parts.is_lost) {
+      continue;
+    }
+    Random& random = *beams[i].random;
+    const float passes = weathers_ ? lanes.air.transmission[parts.air] : 1.0F;
+    const bool has_air =
+        weathers_ && lanes.air.has_echo[parts.air] && lanes.air.echo[parts.air].range_m >= optics_.min_range_m;
+    if (parts.count == 1 && !has_air) {
+      // As most beams are: nothing melts, nothing is to be chosen.
+      Echo echo = lanes.surfaces.echo(parts.first);
+      dim(echo, passes);
+      if (finds(echo, random)) {
+        lanes.reports.add(i, echo, uniform_pair(random));
+      }
+      continue;
+    }
+    std::array<Echo, kFootprintRays + 1> echoes;
+    std::size_t count = 0;
+    for (; count < parts.count; ++count) {
+      echoes[count] = lanes.surfaces.echo(parts.first + count);
+      dim(echoes[count], passes);
+    }
+    if (has_air) {
+      echoes[count++] = echo_of(lanes.air.echo[parts.air]);
+    }
+    if (const Echo* echo = choose({echoes.data(), count}, random); echo != nullptr) {
+      lanes.reports.add(i, *echo, uniform_pair(random));
+    }
+  }
+}
+
+const Echo* EchoMaker::choose(std::span<Echo> echoes, Random& random) const {
+  const std::size_t left = melt(echoes, separation_m_);
+  const Echo* chosen = nullptr;
+  for (const Echo& echo : echoes.first(left)) {
+    if (!finds(echo, random)) {
+      continue;
+    }
+    if (choice_ == EchoChoice::last || chosen == nullptr ||
+        (choice_ == EchoChoice::strongest && echo.light > chosen->light)) {
       chosen = &echo;
-      strongest = signal;
     }
   }
   return chosen;
-}
-
-Return EchoMaker::report(const Echo& echo, Random& random) const {
-  const NormalPair normal = normal_pair(random);
-  const float variance_m2 = echo.variance_m2 + range_variance_m2(echo.light / detection_limit_, optics_);
-  float range_m = echo.range_m + std::sqrt(variance_m2) * normal.first;
-  if (optics_.range_quantum_m > 0.0) {
-    const auto quantum_m = static_cast<float>(optics_.range_quantum_m);
-    range_m = std::round(range_m / quantum_m) * quantum_m;
-  }
-  if (range_m <= 0.0F || range_m < static_cast<float>(optics_.min_range_m) ||
-      range_m > static_cast<float>(optics_.max_range_m)) {
-    return {};
-  }
-  // Sensors report whole numbers.
-  const auto scale = static_cast<float>(optics_.reflectivity_scale);
-  const float reflectivity = rounded(scale * (echo.energy + echo.spot_sigma * normal.second));
-  return {range_m, std::min(std::max(0.0F, reflectivity), kMaxReflectivity), echo.label};
 }
 
 }  // namespace berm::sim

@@ -11,6 +11,7 @@
 
 #include "beam_pose.hpp"
 #include "berm/core/error.hpp"
+#include "berm/core/multiversion.hpp"
 #include "embree.hpp"
 #include "terrain_mesh.hpp"
 
@@ -94,8 +95,9 @@ struct MoverScene {
   PoseTrack track;
   EmbreeScene scene;
   std::vector<Material> materials;
-  Eigen::Vector3d center_m;  ///< of the bounding sphere, in the frame of the object
+  std::vector<Eigen::Vector3f> centers_m;  ///< of the bounding sphere, in the world, for every pose of the track
   double radius_m;
+  double turns_m;  ///< no turn moves the middle by more
 };
 
 void set_lane(RTCRayHit8& rays, std::size_t lane, const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction) {
@@ -112,8 +114,22 @@ void clear_hits(RTCRayHit8& rays) {
   std::fill_n(rays.ray.mask, kLanes, ~0U);
   std::fill_n(rays.ray.id, kLanes, 0U);
   std::fill_n(rays.ray.flags, kLanes, 0U);
+  std::fill_n(rays.hit.Ng_x, kLanes, 0.0F);
+  std::fill_n(rays.hit.Ng_y, kLanes, 0.0F);
+  std::fill_n(rays.hit.Ng_z, kLanes, 0.0F);
   std::fill_n(rays.hit.geomID, kLanes, RTC_INVALID_GEOMETRY_ID);
   std::fill_n(rays.hit.instID[0], kLanes, RTC_INVALID_GEOMETRY_ID);
+}
+
+/// Gives all normals length 1 at once, which is what makes it cheap; those of rays that met nothing stay 0.
+BERM_MULTIVERSION void normalize(RTCHit8& hits) {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float squared = hits.Ng_x[i] * hits.Ng_x[i] + hits.Ng_y[i] * hits.Ng_y[i] + hits.Ng_z[i] * hits.Ng_z[i];
+    const float norm = std::sqrt(squared > 0.0F ? squared : 1.0F);
+    hits.Ng_x[i] /= norm;
+    hits.Ng_y[i] /= norm;
+    hits.Ng_z[i] /= norm;
+  }
 }
 
 }  // namespace
@@ -173,8 +189,14 @@ void RayCaster::Scene::add_mover(const Mover& mover, std::size_t number) {
   EmbreeScene scene = new_scene(device.get());
   attach(device.get(), scene.get(), mover.mesh);
   rtcCommitScene(scene.get());
-  movers.push_back({PoseTrack(mover.T_world_object), std::move(scene), mover.mesh.materials, 0.5 * (low + high),
-                    0.5 * (high - low).norm() + 1e-3});
+  const Eigen::Vector3d center_m = 0.5 * (low + high);
+  std::vector<Eigen::Vector3f> centers_m;
+  centers_m.reserve(mover.T_world_object.size());
+  for (const StampedPose& pose : mover.T_world_object.poses()) {
+    centers_m.emplace_back((pose.T_world_base * center_m).cast<float>());
+  }
+  movers.push_back({PoseTrack(mover.T_world_object), std::move(scene), mover.mesh.materials, std::move(centers_m),
+                    0.5 * (high - low).norm() + 1e-3, 2.0 * center_m.norm()});
 }
 
 void RayCaster::Scene::cast_standing(RayPacket& packet) const {
@@ -196,6 +218,7 @@ void RayCaster::Scene::cast_standing(RayPacket& packet) const {
     valid[lane] = packet.max_range_m[lane] >= 0.0F ? -1 : 0;
   }
   intersect8(standing.get(), valid.data(), rays);
+  normalize(rays.hit);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) {
       packet.hits[lane] = {};
@@ -203,20 +226,18 @@ void RayCaster::Scene::cast_standing(RayPacket& packet) const {
     }
     const Eigen::Vector3f normal{rays.hit.Ng_x[lane], rays.hit.Ng_y[lane], rays.hit.Ng_z[lane]};
     packet.hits[lane] = {rays.hit.geomID[lane] == kTerrainGeometry ? kTerrainObject : kThingsObject,
-                         rays.hit.primID[lane], rays.ray.tfar[lane], normal.normalized()};
+                         rays.hit.primID[lane], rays.ray.tfar[lane], normal};
   }
 }
 
 /// Whether any lane might meet the bounding sphere, wherever the mover is at the times of the lanes.
 bool RayCaster::Scene::may_meet(const RayPacket& packet, const MoverScene& mover) const {
-  Placed placed;
-  mover.track.at(packet.time_s[0], placed);
   const auto [first, last] = std::minmax_element(packet.time_s.begin(), packet.time_s.end());
-  const double moved_m = mover.track.max_speed_m_per_s() * (*last - *first);
-  // Turning moves the middle of the mesh by no more than twice its distance from the origin.
-  const double turned_m = *last > *first ? 2.0 * mover.center_m.norm() : 0.0;
-  const double radius_m = mover.radius_m + moved_m + turned_m;
-  const Eigen::Vector3f center_m = (placed.rotation * mover.center_m + placed.origin_m).cast<float>();
+  const PoseTrack::Since pose = mover.track.pose_before(*first);
+  const double after_s = pose.since_s + (*last - *first);
+  const double moved_m = mover.track.max_speed_m_per_s() * after_s + (after_s > 0.0 ? mover.turns_m : 0.0);
+  const double radius_m = mover.radius_m + moved_m;
+  const Eigen::Vector3f& center_m = mover.centers_m[pose.index];
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const Eigen::Vector3f to_center = center_m - packet.origin_m(lane);
     const float along_m = to_center.dot(packet.direction(lane));
@@ -280,29 +301,33 @@ Material RayCaster::material_of(const RawHit& hit) const {
 }
 
 Hit RayCaster::describe(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction, const RawHit& raw) const {
+  return describe(direction, raw, spot_of(origin_m, direction, raw));
+}
+
+TerrainSpot RayCaster::spot_of(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction,
+                               const RawHit& raw) const {
+  if (raw.object != kTerrainObject) {
+    return {};
+  }
+  const Eigen::Vector2f place_m = origin_m.head<2>() + raw.range_m * direction.head<2>();
+  return scene_->terrain.spot_at(static_cast<double>(place_m.x()), static_cast<double>(place_m.y()));
+}
+
+Hit RayCaster::describe(const Eigen::Vector3f& direction, const RawHit& raw, const TerrainSpot& spot) const {
   Hit hit;
-  hit.range_m = raw.range_m;
+  hit.range_m = static_cast<double>(raw.range_m);
   hit.normal = raw.normal.dot(direction) > 0.0F ? Eigen::Vector3f(-raw.normal) : raw.normal;
   hit.object = raw.object;
   if (raw.object != kTerrainObject) {
     hit.material = material_of(raw);
     return hit;
   }
-  const Eigen::Vector2f place_m = origin_m.head<2>() + raw.range_m * direction.head<2>();
-  const TerrainDetail detail =
-      scene_->terrain.detail(static_cast<double>(place_m.x()), static_cast<double>(place_m.y()));
+  const TerrainDetail detail = scene_->terrain.detail(spot);
   hit.inside_m = static_cast<double>(detail.inside_m);
   hit.across_m = static_cast<double>(detail.across_m);
   hit.across_slope = detail.across_slope;
   hit.material = {detail.surface, detail.inside_m > 0.0F ? truth::kDrivable : truth::kTerrain};
   return hit;
-}
-
-void RayCaster::prefetch(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction, const RawHit& hit) const {
-  if (hit.object == kTerrainObject) {
-    const Eigen::Vector2f place_m = origin_m.head<2>() + hit.range_m * direction.head<2>();
-    scene_->terrain.prefetch(static_cast<double>(place_m.x()), static_cast<double>(place_m.y()));
-  }
 }
 
 bool RayCaster::cast(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& direction, double min_range_m,

@@ -16,8 +16,6 @@ namespace {
 
 /// How far below the sensor the ground is looked for.
 constexpr double kHighest_m = 1000.0;
-/// So many beams ahead the samples of the terrain are fetched from memory.
-constexpr std::size_t kAhead = 24;
 
 /// How many lasers fire in turn: the next beam of the same laser is that many on.
 std::size_t lasers_of(const Beams& beams, const PatternConfig& pattern) {
@@ -134,23 +132,23 @@ ScanMaker::Place ScanMaker::aim(std::size_t index, Stamp stamp_ns, ScanScratch::
 void ScanMaker::cast(const Place& place, ScanScratch::Memory& memory) const {
   const auto max_range_m = static_cast<float>(sensor_.optics.max_range_m);
   const std::size_t lasers = lasers_of(memory.beams, sensor_.pattern);
+  const std::size_t beams = memory.beams.size();
   cast_all(caster_, memory.rays, lasers, max_range_m);
   find_torn(caster_, memory.beams, lasers, sensor_.optics, memory.rays, memory.torn);
-  memory.spread.resize(kFootprintRays *
-                       static_cast<std::size_t>(std::count(memory.torn.begin(), memory.torn.end(), 1)));
-  std::size_t first = 0;
-  for (std::size_t beam = 0; beam < memory.rays.size(); ++beam) {
+  const auto torn = static_cast<std::size_t>(std::count(memory.torn.begin(), memory.torn.end(), 1));
+  memory.rays.resize(beams + kFootprintRays * torn);
+  std::size_t first = beams;
+  for (std::size_t beam = 0; beam < beams; ++beam) {
     if (memory.torn[beam] != 0) {
-      const std::span<TracedRay> rays(&memory.spread[first], kFootprintRays);
+      const std::span<TracedRay> rays(&memory.rays[first], kFootprintRays);
       spread(memory.rays[beam], place.up, sensor_.optics, memory.randoms[beam], rays);
       // The middle is done: its light is in the others.
       memory.rays[beam].hit = {};
       first += kFootprintRays;
     }
   }
-  cast_all(caster_, memory.spread, 1, max_range_m);
+  cast_all(caster_, std::span(memory.rays).subspan(beams), 1, max_range_m);
   settle(caster_, memory.rays, max_range_m, memory.randoms, memory.pending);
-  settle(caster_, memory.spread, max_range_m, memory.randoms, memory.pending);
 }
 
 void ScanMaker::make(std::size_t index, MadeScan& scan) const {
@@ -175,39 +173,49 @@ void ScanMaker::make(std::size_t index, MadeScan& scan) const {
 void ScanMaker::write(double height_m, ScanScratch::Memory& memory, MadeScan& scan) const {
   const Beams& beams = memory.beams;
   const EchoMaker maker(caster_, weather_, sensor_.optics);
-  std::array<Echo, kFootprintRays + 1> echoes;
-  PointChannels& points = scan.points;
-  resize(points, beams.ring.empty() ? 0 : beams.size(), beams.size());
+  std::array<FiredBeam, EchoMaker::kBlock> fired;
+  std::array<Return, EchoMaker::kBlock> returns;
+  resize(scan.points, beams.ring.empty() ? 0 : beams.size(), beams.size());
   scan.labels.resize(beams.size());
-  std::size_t first = 0;
+  std::size_t spread = beams.size();
   std::size_t written = 0;
-  for (std::size_t beam = 0; beam < beams.size(); ++beam) {
-    if (beam + kAhead < beams.size()) {
-      const TracedRay& ahead = memory.rays[beam + kAhead];
-      caster_.prefetch(ahead.origin_m, ahead.direction, ahead.hit);
+  for (std::size_t first = 0; first < beams.size(); first += EchoMaker::kBlock) {
+    const std::size_t count = std::min(EchoMaker::kBlock, beams.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t beam = first + i;
+      fired[i] = {{&memory.rays[beam], 1}, &memory.randoms[beam]};
+      if (memory.torn[beam] != 0) {
+        fired[i].rays = {&memory.rays[spread], kFootprintRays};
+        spread += kFootprintRays;
+      }
     }
-    std::span<const TracedRay> rays(&memory.rays[beam], 1);
-    if (memory.torn[beam] != 0) {
-      rays = {&memory.spread[first], kFootprintRays};
-      first += kFootprintRays;
+    maker.returns_of({fired.data(), count}, height_m, memory.lanes, {returns.data(), count});
+    for (std::size_t i = 0; i < count; ++i) {
+      if (write_point(returns[i], beams, first + i, written, scan)) {
+        ++written;
+      }
     }
-    const Return got = maker.echo_of(rays, height_m, memory.randoms[beam], echoes);
-    if (got.range_m <= 0.0F && !sensor_.optics.keeps_no_returns) {
-      continue;
-    }
-    points.x[written] = got.range_m * beams.x[beam];
-    points.y[written] = got.range_m * beams.y[beam];
-    points.z[written] = got.range_m * beams.z[beam];
-    points.intensity[written] = got.reflectivity;
-    points.time[written] = beams.time_s[beam];
-    if (!beams.ring.empty()) {
-      points.ring[written] = beams.ring[beam];
-    }
-    scan.labels[written] = got.label;
-    ++written;
   }
-  resize(points, beams.ring.empty() ? 0 : written, written);
+  resize(scan.points, beams.ring.empty() ? 0 : written, written);
   scan.labels.resize(written);
+}
+
+bool ScanMaker::write_point(const Return& got, const Beams& beams, std::size_t beam, std::size_t at,
+                            MadeScan& scan) const {
+  if (got.range_m <= 0.0F && !sensor_.optics.keeps_no_returns) {
+    return false;
+  }
+  PointChannels& points = scan.points;
+  points.x[at] = got.range_m * beams.x[beam];
+  points.y[at] = got.range_m * beams.y[beam];
+  points.z[at] = got.range_m * beams.z[beam];
+  points.intensity[at] = got.reflectivity;
+  points.time[at] = beams.time_s[beam];
+  if (!beams.ring.empty()) {
+    points.ring[at] = beams.ring[beam];
+  }
+  scan.labels[at] = got.label;
+  return true;
 }
 
 void ScanMaker::check_start(const Terrain& terrain) const {

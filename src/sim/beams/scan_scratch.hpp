@@ -6,16 +6,17 @@
 #include "beam_tracer.hpp"
 #include "berm/sim/random.hpp"
 #include "berm/sim/scan_maker.hpp"
+#include "echo_maker.hpp"
 
 namespace berm::sim {
 
 struct ScanScratch::Memory {
   Beams beams;
   std::vector<Random> randoms;     ///< one a beam
-  std::vector<TracedRay> rays;     ///< the middles of the beams
+  std::vector<TracedRay> rays;     ///< the middles of the beams, then kFootprintRays for every torn beam
   std::vector<std::uint8_t> torn;  ///< beams that are spread
-  std::vector<TracedRay> spread;   ///< kFootprintRays for every torn beam, in their order
-  std::vector<std::uint32_t> pending;
+  PendingRays pending;
+  EchoMaker::Lanes lanes;
 };
 
 }  // namespace berm::sim

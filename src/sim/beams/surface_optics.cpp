@@ -7,7 +7,7 @@ namespace berm::sim {
 namespace {
 
 // In the order of `Surface`: reflectivity, its sigma, relief, mirror.
-constexpr std::array<SurfaceOptics, 13> kOptics = {{
+constexpr std::array<SurfaceOptics, kSurfaces> kOptics = {{
     {100.0, 1.0, 0.004, 0.0},   // groomed_snow: a Livox reports 150 to 153 (P section 1), which is white on its scale
     {95.0, 5.0, 0.02, 0.0},     // rough_snow
     {8.0, 3.0, 0.003, 0.02},    // asphalt

@@ -105,6 +105,7 @@ void TerrainMesh::lay_tiles(const World& world, const RayCasterConfig& config) {
       const std::size_t row = i / columns_;
       const double y_m = min_y_m_ + (static_cast<double>(row) + 0.5) * tile_m;
       tiles_[i].level = level_at(world.route, x_m, y_m, config.fine_width_m);
+      tiles_[i].scale = 1.0F / static_cast<float>(1U << tiles_[i].level);
     });
   }
   for (Tile& tile : tiles_) {
@@ -214,32 +215,36 @@ void TerrainMesh::make_quads() {
   }
 }
 
-TerrainMesh::Cell TerrainMesh::cell_at(double x_m, double y_m) const {
-  const double u = std::clamp((x_m - min_x_m_) * per_cell_, 0.0, static_cast<double>(columns_ * kTileCells));
-  const double v = std::clamp((y_m - min_y_m_) * per_cell_, 0.0, static_cast<double>(rows_ * kTileCells));
-  const auto column = std::min(static_cast<std::uint32_t>(columns_) - 1, static_cast<std::uint32_t>(u) / kTileCells);
-  const auto row = std::min(static_cast<std::uint32_t>(rows_) - 1, static_cast<std::uint32_t>(v) / kTileCells);
-  const Tile& tile = tiles_[row * columns_ + column];
-  const std::uint32_t cells = cells_of(tile);
-  const float scale = 1.0F / static_cast<float>(1U << tile.level);
-  const float in_u = static_cast<float>(u - static_cast<double>(column * kTileCells)) * scale;
-  const float in_v = static_cast<float>(v - static_cast<double>(row * kTileCells)) * scale;
-  const std::uint32_t i = std::min(cells - 1, static_cast<std::uint32_t>(in_u));
-  const std::uint32_t j = std::min(cells - 1, static_cast<std::uint32_t>(in_v));
-  const Sample* lower = &samples_[tile.first_vertex + j * (cells + 1) + i];
-  return {lower, lower + cells + 1, in_u - static_cast<float>(i), in_v - static_cast<float>(j), scale};
+TerrainSpot TerrainMesh::spot_at(double x_m, double y_m) const {
+  // An area has at most 1e8 cells along a side: signed numbers of 32 bits hold them, and convert the quickest.
+  constexpr std::int32_t kCells{kTileCells};
+  const auto columns = static_cast<std::int32_t>(columns_);
+  const auto rows = static_cast<std::int32_t>(rows_);
+  const double u = std::clamp((x_m - min_x_m_) * per_cell_, 0.0, static_cast<double>(columns * kCells));
+  const double v = std::clamp((y_m - min_y_m_) * per_cell_, 0.0, static_cast<double>(rows * kCells));
+  const std::int32_t column = std::min(columns - 1, static_cast<std::int32_t>(u) >> kMaxLevel);
+  const std::int32_t row = std::min(rows - 1, static_cast<std::int32_t>(v) >> kMaxLevel);
+  const Tile& tile = tiles_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
+  const auto cells = static_cast<std::int32_t>(cells_of(tile));
+  const float in_u = static_cast<float>(u - static_cast<double>(column * kCells)) * tile.scale;
+  const float in_v = static_cast<float>(v - static_cast<double>(row * kCells)) * tile.scale;
+  const std::int32_t i = std::min(cells - 1, static_cast<std::int32_t>(in_u));
+  const std::int32_t j = std::min(cells - 1, static_cast<std::int32_t>(in_v));
+  const std::uint32_t lower = tile.first_vertex + static_cast<std::uint32_t>(j * (cells + 1) + i);
+  const std::uint32_t upper = lower + static_cast<std::uint32_t>(cells) + 1;
+  __builtin_prefetch(&samples_[lower]);
+  __builtin_prefetch(&samples_[upper]);
+  return {lower, upper, in_u - static_cast<float>(i), in_v - static_cast<float>(j),
+          static_cast<float>(per_cell_) * tile.scale};
 }
 
-void TerrainMesh::prefetch(double x_m, double y_m) const {
-  const Cell cell = cell_at(x_m, y_m);
-  __builtin_prefetch(cell.lower);
-  __builtin_prefetch(cell.upper);
-}
-
-TerrainDetail TerrainMesh::detail(double x_m, double y_m) const {
-  const auto [lower, upper, share_u, share_v, scale] = cell_at(x_m, y_m);
+TerrainDetail TerrainMesh::detail(const TerrainSpot& spot) const {
+  const Sample* lower = &samples_[spot.lower];
+  const Sample* upper = &samples_[spot.upper];
+  const float share_u = spot.share_u;
+  const float share_v = spot.share_v;
+  const float per_m = spot.cells_per_m;
   const auto mix = [](float share, float from, float to) { return from + share * (to - from); };
-  const float per_m = static_cast<float>(per_cell_) * scale;
   TerrainDetail detail;
   detail.inside_m = mix(share_v, mix(share_u, lower[0].inside_m, lower[1].inside_m),
                         mix(share_u, upper[0].inside_m, upper[1].inside_m));

@@ -31,16 +31,17 @@ class TerrainMesh {
   std::vector<float> positions_m;
   std::vector<std::array<std::uint32_t, 4>> quads;
 
-  /// Interpolated between the samples of the cell; of the nearest cell outside of the mesh.
-  [[nodiscard]] TerrainDetail detail(double x_m, double y_m) const;
-  /// Has the processor fetch what `detail` will need.
-  void prefetch(double x_m, double y_m) const;
+  /// The cell of a place, of the nearest one outside of the mesh. Has the processor fetch its samples.
+  [[nodiscard]] TerrainSpot spot_at(double x_m, double y_m) const;
+  /// Interpolated between the samples of the cell.
+  [[nodiscard]] TerrainDetail detail(const TerrainSpot& spot) const;
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
   struct Tile {
     std::uint32_t first_vertex = 0;
     std::uint32_t level = 0;
+    float scale = 1.0F;  ///< fine cells over those of the tile
   };
 
   struct Sample {
@@ -49,16 +50,6 @@ class TerrainMesh {
     Surface surface = Surface::rough_snow;
   };
 
-  /// The samples at the lower and upper side of a cell, and where in it a place is.
-  struct Cell {
-    const Sample* lower;
-    const Sample* upper;
-    float share_u;
-    float share_v;
-    float scale;  ///< fine cells over these
-  };
-
-  [[nodiscard]] Cell cell_at(double x_m, double y_m) const;
   [[nodiscard]] std::uint32_t cells_of(const Tile& tile) const { return kTileCells >> tile.level; }
   [[nodiscard]] std::uint32_t level_at(const Route& route, double x_m, double y_m, double fine_width_m) const;
   void lay_tiles(const World& world, const RayCasterConfig& config);

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "beam_pattern.hpp"
+#include "berm/core/multiversion.hpp"
 
 namespace berm::sim {
 namespace {
@@ -30,6 +31,19 @@ class RosettePattern : public DirectionMaker {
   double deflection_rad_[2] = {};
 };
 
+/// Directions from where the two turns add up to, in place.
+BERM_MULTIVERSION void aim(std::size_t count, float* __restrict x, float* __restrict y, float* __restrict z) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto up = static_cast<double>(z[i]);
+    const auto left = static_cast<double>(y[i]);
+    const double q = left * left + up * up;
+    const double scale = sine_over_root(q);
+    x[i] = static_cast<float>(cosine_of_root(q));
+    y[i] = static_cast<float>(scale * left);
+    z[i] = static_cast<float>(scale * up);
+  }
+}
+
 void RosettePattern::beams_of_scan(std::size_t scan, Beams& beams) const {
   const std::size_t first = clock_.first(scan);
   const std::size_t count = clock_.first(scan + 1) - first;
@@ -37,18 +51,15 @@ void RosettePattern::beams_of_scan(std::size_t scan, Beams& beams) const {
   Rotor one(clock_.angle_rad(first, hz_[0]), 2.0 * std::numbers::pi * hz_[0] / points_per_s_);
   Rotor two(clock_.angle_rad(first, hz_[1]), 2.0 * std::numbers::pi * hz_[1] / points_per_s_);
   const double start_s = clock_.since_start_s(first, scan);
+  const double step_s = 1.0 / points_per_s_;
   for (std::size_t i = 0; i < count; ++i) {
-    const double y = deflection_rad_[0] * one.cosine() + deflection_rad_[1] * two.cosine();
-    const double z = deflection_rad_[0] * one.sine() + deflection_rad_[1] * two.sine();
-    const double q = y * y + z * z;
-    const double scale = sine_over_root(q);
-    beams.x[i] = static_cast<float>(cosine_of_root(q));
-    beams.y[i] = static_cast<float>(scale * y);
-    beams.z[i] = static_cast<float>(scale * z);
-    beams.time_s[i] = static_cast<float>(start_s + static_cast<double>(i) / points_per_s_);
+    beams.y[i] = static_cast<float>(deflection_rad_[0] * one.cosine() + deflection_rad_[1] * two.cosine());
+    beams.z[i] = static_cast<float>(deflection_rad_[0] * one.sine() + deflection_rad_[1] * two.sine());
+    beams.time_s[i] = static_cast<float>(start_s + static_cast<double>(i) * step_s);
     one.advance();
     two.advance();
   }
+  aim(count, beams.x.data(), beams.y.data(), beams.z.data());
 }
 
 }  // namespace
