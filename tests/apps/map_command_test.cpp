@@ -54,9 +54,9 @@ EdgeMap road_map(int from_m, int scans, const std::string& world, double voxel_m
 
 class MapCommandTest : public testing::Test {
  protected:
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  void spill_map(const std::string& name, const EdgeMap& map) const { test::spill(folder_ / name, map.to_octomap()); }
-  std::string bytes(const std::string& name) const { return test::slurp(folder_ / name); }
+  std::string file(const std::string& name) const { return (here / name).string(); }
+  void spill_map(const std::string& name, const EdgeMap& map) const { test::spill(here / name, map.to_octomap()); }
+  std::string bytes(const std::string& name) const { return test::slurp(here / name); }
   static bool can_run(const std::string& tool) {
     return std::system((tool + " --version >/dev/null 2>&1").c_str()) == 0;
   }
@@ -66,7 +66,7 @@ class MapCommandTest : public testing::Test {
     return run_berm({"map", "export", (folder / "e.csv").string(), "-o", (folder / "e.dxf").string()}).exit_code == 0;
   }
 
-  test::TempFolder folder_;
+  test::TempFolder here;
 };
 
 TEST_F(MapCommandTest, MergesInAnyOrder) {
@@ -113,17 +113,17 @@ TEST_F(MapCommandTest, RefusesToMergeWhatDoesNotFit) {
   refused("coarse.ot", "its voxels are 0.5 m, those of " + file("a.ot") + " are 0.2 m");
   refused("elsewhere.ot", "it names 'EPSG:32750', " + file("a.ot") + " names 'WGS84 lat -23.5 lon 148.25 h 310'");
   refused("nowhere.ot", "it names no world");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "sum.ot"));
+  EXPECT_FALSE(std::filesystem::exists(here / "sum.ot"));
   EXPECT_EQ(run_berm({"map", "merge", file("a.ot"), "-o", file("sum.ot")}).exit_code, 2);
 }
 
 TEST_F(MapCommandTest, RefusesWhatIsNoMap) {
   spill_map("good.ot", road_map(0, 1, ""));
   const std::string good = bytes("good.ot");
-  test::spill(folder_ / "short.ot", good.substr(0, good.size() / 2));
-  test::spill(folder_ / "wrong.ot", "# Octomap OcTree binary file\n" + good.substr(good.find('\n') + 1));
-  test::spill(folder_ / "text.ot", "line,side,x,y,z,confidence\n");
-  test::spill(folder_ / "empty.ot", "");
+  test::spill(here / "short.ot", good.substr(0, good.size() / 2));
+  test::spill(here / "wrong.ot", "# Octomap OcTree binary file\n" + good.substr(good.find('\n') + 1));
+  test::spill(here / "text.ot", "line,side,x,y,z,confidence\n");
+  test::spill(here / "empty.ot", "");
   for (const char* name : {"short.ot", "wrong.ot", "text.ot", "empty.ot", "missing.ot"}) {
     for (const std::vector<std::string>& command : {std::vector<std::string>{"map", "info", file(name)},
                                                     {"map", "lines", file(name), "-o", file("out.csv")},
@@ -137,7 +137,7 @@ TEST_F(MapCommandTest, RefusesWhatIsNoMap) {
     }
   }
   for (const char* name : {"out.csv", "out.ot", "out.png"}) {
-    EXPECT_FALSE(std::filesystem::exists(folder_ / name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(here / name)) << name;
   }
 }
 
@@ -169,7 +169,7 @@ TEST_F(MapCommandTest, InfoSaysWhatIsInAMap) {
 TEST_F(MapCommandTest, LinesAreThoseOfTheMap) {
   spill_map("a.ot", road_map(0, 6, ""));
   ASSERT_EQ(run_berm({"map", "lines", file("a.ot"), "-o", file("edges.csv")}).exit_code, 0);
-  const auto lines = read_edge_lines(folder_ / "edges.csv");
+  const auto lines = read_edge_lines(here / "edges.csv");
   ASSERT_EQ(lines.size(), 2U);
   for (const EdgeLine& line : lines) {
     for (const EdgeLine::Vertex& vertex : line.vertices) {
@@ -184,7 +184,7 @@ TEST_F(MapCommandTest, LinesAreThoseOfTheMap) {
   EXPECT_EQ(run_berm({"map", "lines", file("a.ot"), "-o", file("edges.csv"), "--set", "lines.spacing_m=5", "--force"})
                 .exit_code,
             0);
-  EXPECT_LT(read_edge_lines(folder_ / "edges.csv")[0].vertices.size(), lines[0].vertices.size() / 2);
+  EXPECT_LT(read_edge_lines(here / "edges.csv")[0].vertices.size(), lines[0].vertices.size() / 2);
   for (const char* value : {"lines.spacing=5", "lines.spacing_m=0", "map.voxel_m=1", "spacing_m=1"}) {
     const auto wrong = run_berm({"map", "lines", file("a.ot"), "-o", file("other.csv"), "--set", value});
     EXPECT_EQ(wrong.exit_code, 2) << value;
@@ -254,7 +254,7 @@ TEST_F(MapCommandTest, WithoutADatumItSaysWhatToDo) {
     EXPECT_EQ(run_berm({"map", "export", file("a.ot"), "-o", file("x.geojson"), datum}).exit_code, 2) << datum;
   }
   EXPECT_EQ(run_berm({"map", "export", file("a.ot"), "-o", file("edges.shp")}).exit_code, 2);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "x.geojson"));
+  EXPECT_FALSE(std::filesystem::exists(here / "x.geojson"));
 }
 
 TEST_F(MapCommandTest, DrawsAPicture) {
