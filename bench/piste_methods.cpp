@@ -41,6 +41,7 @@ std::vector<Method> main_methods() {
 std::vector<Method> methods_without_a_step() {
   using C = BoundaryPisteConfig;
   return {
+      variant("without height (use_height)", [](C& c) { c.use_height = false; }),
       variant("without slope (use_slope)", [](C& c) { c.use_slope = false; }),
       variant("without roughness (use_roughness)", [](C& c) { c.use_roughness = false; }),
       variant("without obstacles (use_obstacles)", [](C& c) { c.use_obstacles = false; }),

@@ -27,6 +27,7 @@ constexpr float kGroomedWander = 0.0075F;
 // Evidence is a log likelihood ratio, less what on-piste snow reaches by chance; bounded, as a single window may be a
 // clod or a hole.
 constexpr float kMostFor = 3.0F;
+constexpr float kHeightAgainst = -0.3F;
 constexpr float kSlopeAgainst = -0.5F;
 constexpr float kRoughAgainst = -1.0F;
 constexpr float kCellFor = 4.0F;
@@ -155,7 +156,7 @@ void BoundaryEvidence::weigh(const TraceWindows& windows, const PisteSurface& su
 /// Snow that is rough where the machine drives is no sign of the piste's end.
 void BoundaryEvidence::adapt(const TraceWindows& windows) {
   constexpr float kTimesTypical = 1.5F;
-  slope_noise_ = static_cast<float>(config_.slope_noise);
+  noise_ = {.height_m = config_.height_noise_m, .slope = config_.slope_noise};
   wander_ = kGroomedWander;
   if (!config_.adapt) {
     return;
@@ -169,22 +170,37 @@ void BoundaryEvidence::adapt(const TraceWindows& windows) {
   }
   if (scratch_.size() >= kMinSamples) {
     wander_ = median(scratch_);
-    slope_noise_ = std::max(slope_noise_, kTimesTypical * kRobustSigma * wander_);
+    noise_.slope = std::max(noise_.slope, double{kTimesTypical * kRobustSigma * wander_});
+  }
+  scratch_.clear();
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    if (windows.range_m[i] < kNear_m) {
+      scratch_.push_back(height_residual_[i]);
+    }
+  }
+  if (scratch_.size() >= kMinSamples) {
+    noise_.height_m = std::max(noise_.height_m, double{kTimesTypical * kRobustSigma * median(scratch_)});
   }
 }
 
 void BoundaryEvidence::weigh_windows(const TraceWindows& windows) {
-  constexpr float kSlopeGrows = 0.008F;  // what the polynomial misses per metre beyond kGrowsFrom_m: rollers, crests
+  constexpr float kHeightGrows = 0.06F;  // what the polynomial misses per metre beyond kGrowsFrom_m: rollers, crests
+  constexpr float kSlopeGrows = 0.008F;
   constexpr float kGrowsFrom_m = 10.0F;
   constexpr float kWanderShare = 0.15F;  // of a slope that wanders, what bends within a window
   constexpr float kTypicalRatio = 4.0F;  // of variances; groomed snow rarely exceeds it
   constexpr float kRoughWeight = 1.5F;
-  const float slope2 = slope_noise_ * slope_noise_;
+  const auto height2 = static_cast<float>(noise_.height_m * noise_.height_m);
+  const auto slope2 = static_cast<float>(noise_.slope * noise_.slope);
   weights_.resize(windows.size());
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const float beyond = std::max(windows.range_m[i] - kGrowsFrom_m, 0.0F);
     const float length = windows.length_m[i];
     float ratio = 0.0F;
+    if (config_.use_height) {
+      const float variance = height2 + kHeightGrows * kHeightGrows * beyond * beyond;
+      ratio += log_ratio(height_residual_[i] * height_residual_[i] / variance, kHeightAgainst);
+    }
     if (config_.use_slope && length > kMinSlopeLength_m) {
       const float variance = slope2 + kSlopeGrows * kSlopeGrows * beyond * beyond;
       ratio += log_ratio(slope_residual_[i] * slope_residual_[i] / variance, kSlopeAgainst);

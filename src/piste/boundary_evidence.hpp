@@ -42,8 +42,8 @@ class BoundaryEvidence {
   void weigh_windows(const TraceWindows& windows);
 
   BoundaryPisteConfig config_;
-  float slope_noise_ = 0.0F;  ///< of groomed snow about the surface, one sigma
-  float wander_ = 0.0F;       ///< the same, half of the windows have less
+  PisteSurface::Noise noise_;
+  float wander_ = 0.0F;  ///< of the slope of groomed snow, typical
   std::vector<std::uint8_t> sector_;
   std::vector<std::uint8_t> bin_;
   std::vector<std::uint8_t> inside_;

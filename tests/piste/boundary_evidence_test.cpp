@@ -92,8 +92,8 @@ TraceWindows field(const test::HeightOf& z_of, double to_m = 40.0) {
 
 BoundaryPisteConfig only(bool BoundaryPisteConfig::*use) {
   BoundaryPisteConfig config;
-  for (const auto member :
-       {&BoundaryPisteConfig::use_slope, &BoundaryPisteConfig::use_roughness, &BoundaryPisteConfig::use_obstacles}) {
+  for (const auto member : {&BoundaryPisteConfig::use_height, &BoundaryPisteConfig::use_slope,
+                            &BoundaryPisteConfig::use_roughness, &BoundaryPisteConfig::use_obstacles}) {
     config.*member = member == use;
   }
   return config;
@@ -116,24 +116,28 @@ TEST(BoundaryEvidence, IsSilentWhereNothingIsSeen) {
 }
 
 TEST(BoundaryEvidence, SpeaksForABank) {
-  for (const BoundaryPisteConfig& config : {only(&BoundaryPisteConfig::use_slope), BoundaryPisteConfig{}}) {
-    Weighed weighed(config);
+  for (const auto use : {&BoundaryPisteConfig::use_height, &BoundaryPisteConfig::use_slope}) {
+    Weighed weighed(only(use));
     weighed.weigh(field(bank_at_10_m, 11.5));
     EXPECT_EQ(weighed.shares(3.5F, 9.5F).first, 0.0);
-    EXPECT_GT(weighed.shares(10.8F, 11.3F).first, 0.5);
+    EXPECT_GT(weighed.shares(10.8F, 11.3F).first, 0.5) << (use == &BoundaryPisteConfig::use_height);
   }
+  Weighed all({});
+  all.weigh(field(bank_at_10_m, 11.5));
+  EXPECT_EQ(all.shares(3.5F, 9.5F).first, 0.0);
+  EXPECT_GT(all.shares(10.5F, 11.3F).first, 0.9);
 }
 
-TEST(BoundaryEvidence, GrowsWithTheSteepnessOfTheBank) {
+TEST(BoundaryEvidence, GrowsWithTheHeightOfTheBank) {
   const auto at_the_bank = [](double height_m) {
-    Weighed weighed(only(&BoundaryPisteConfig::use_slope));
+    Weighed weighed(only(&BoundaryPisteConfig::use_height));
     weighed.weigh(field([&](double x, double y) { return 2.0 * height_m * bank_at_10_m(x, y); }, 20.0));
-    return weighed.shares(10.6F, 11.2F);
+    return weighed.shares(12.0F, 14.0F);
   };
   EXPECT_EQ(at_the_bank(0.0).first, 0.0);
   EXPECT_EQ(at_the_bank(0.05).first, 0.0);
-  EXPECT_GT(at_the_bank(0.5).first, 0.5);
-  EXPECT_GT(at_the_bank(-0.5).first, 0.5) << "a drop bounds the piste as well";
+  EXPECT_GT(at_the_bank(0.5).first, 0.9);
+  EXPECT_GT(at_the_bank(-0.5).first, 0.9) << "a drop bounds the piste as well";
 }
 
 TEST(BoundaryEvidence, SpeaksForRoughSnow) {
@@ -165,16 +169,18 @@ TEST(BoundaryEvidence, TakesRoughSnowUnderTheMachineForThatOfThePiste) {
 
 TEST(BoundaryEvidence, TakesWavesUnderTheMachineForThoseOfThePiste) {
   const auto waves = [](double x, double y) { return 0.15 * std::sin(2.0 * x) * std::cos(1.7 * y); };
-  double for_it[2] = {};
-  for (const bool adapt : {false, true}) {
-    BoundaryPisteConfig config = only(&BoundaryPisteConfig::use_slope);
-    config.adapt = adapt;
-    Weighed weighed(config);
-    weighed.weigh(field(waves), 14.0F);
-    for_it[adapt ? 1 : 0] = weighed.shares(6.0F, 14.0F).first;
+  for (const auto use : {&BoundaryPisteConfig::use_height, &BoundaryPisteConfig::use_slope}) {
+    double for_it[2] = {};
+    for (const bool adapt : {false, true}) {
+      BoundaryPisteConfig config = only(use);
+      config.adapt = adapt;
+      Weighed weighed(config);
+      weighed.weigh(field(waves), 14.0F);
+      for_it[adapt ? 1 : 0] = weighed.shares(6.0F, 14.0F).first;
+    }
+    EXPECT_GT(for_it[0], 0.2);
+    EXPECT_LT(for_it[1], 0.3 * for_it[0]);
   }
-  EXPECT_GT(for_it[0], 0.2);
-  EXPECT_LT(for_it[1], 0.3 * for_it[0]);
 }
 
 TEST(BoundaryEvidence, SpeaksForObstaclesWhereTheyStand) {

@@ -20,6 +20,7 @@ struct BoundaryPisteConfig {
   double curvature = 0.005;
   double tremble_mrad = 2.0;
   // What is off the piste.
+  bool use_height = true;
   bool use_slope = true;
   bool use_roughness = true;
   bool use_obstacles = true;
@@ -66,6 +67,7 @@ void BoundaryPisteConfig::fields(auto&& field) {
   field("curvature", &C::curvature, Range{0.0, 1.0}, "what the slope of groomed snow turns by within a metre");
   field("tremble_mrad", &C::tremble_mrad, Range{0.0, 100.0},
         "what the machine turns by within a scan; counts where the order of firing is not known");
+  field("use_height", &C::use_height, "heights beside the surface speak for the end of the piste");
   field("use_slope", &C::use_slope, "slopes beside that of the surface do");
   field("use_roughness", &C::use_roughness, "rough snow does");
   field("use_obstacles", &C::use_obstacles, "obstacles do: fences, trees");
