@@ -33,7 +33,7 @@ TEST_F(RunEdgesTest, WritesTheMapAndItsLines) {
   EXPECT_FALSE(report["files"].contains("edges_geojson"));
   EXPECT_THAT(report["notes"].dump(), HasSubstr("datum.origin=given"));
   EXPECT_FALSE(fs::exists(out_ / "edges.geojson"));
-  const json edges = report["edges"];
+  const json& edges = report["edges"];
   EXPECT_EQ(edges["scans_mapped"], kScans);
   EXPECT_EQ(edges["scans_not_mapped"], json::object());
   EXPECT_EQ(edges["voxels"], map().size());
