@@ -34,6 +34,10 @@ std::optional<Stamp> stamp_at(Stamp stamp_ns, double time_s) {
   return result;
 }
 
+bool is_solid(Label label) {
+  return label == Label::drivable || label == Label::terrain || label == Label::obstacle;
+}
+
 /// The trusted poses of the run.
 Trajectory path_of(const Trajectory& trajectory, const PoseGuard& guard, Stamp first_ns, Stamp last_ns) {
   Trajectory path;
@@ -53,12 +57,14 @@ RoadMapper::RoadMapper(const Machine& machine, const RunPoses& poses, EdgeMap ma
       map_(std::move(map)),
       survey_(machine.road, path_of(trajectory_, guard_, first_ns, last_ns), machine.pose_guard) {}
 
-void RoadMapper::place(const Scan& scan, const EdgeResult& found, PlacedScan& placed) const {
+void RoadMapper::place(const Scan& scan, std::span<const Label> labels, const EdgeResult& found,
+                       PlacedScan& placed) const {
   placed.stamp_ns = scan.stamp_ns;
   placed.left_out = 0;
   placed.edges.clear();
   placed.surveyed.clear();
   placed.plain_m.clear();
+  placed.raised_m.clear();
   const PointsView points = scan.cloud.view();
   const TimeSpan span = span_of(points.time);
   const auto first_ns = stamp_at(scan.stamp_ns, span.first_s);
@@ -83,13 +89,23 @@ void RoadMapper::place(const Scan& scan, const EdgeResult& found, PlacedScan& pl
     placed.edges.push_back({position_m, edge.side});
     placed.surveyed.push_back({position_m, edge.height_m, edge.width_m, edge.kind});
   }
+  const auto time_of_s = [&points](std::size_t i) { return points.time.empty() ? 0.0F : points.time[i]; };
+  const auto point_to_world_m = [&](std::size_t i) {
+    return to_world_m(points.x[i], points.y[i], points.z[i], time_of_s(i));
+  };
+  placed.is_plain.assign(points.size(), 0);
   for (const std::uint32_t i : found.plain) {
-    const float time_s = points.time.empty() ? 0.0F : points.time[i];
-    if (!std::isfinite(time_s)) {
+    placed.is_plain[i] = 1;
+    if (!std::isfinite(time_of_s(i))) {
       ++placed.left_out;
       continue;
     }
-    placed.plain_m.push_back(to_world_m(points.x[i], points.y[i], points.z[i], time_s));
+    placed.plain_m.push_back(point_to_world_m(i));
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (placed.is_plain[i] == 0 && is_solid(labels[i]) && std::isfinite(time_of_s(i))) {
+      placed.raised_m.push_back(point_to_world_m(i));
+    }
   }
 }
 
@@ -100,7 +116,7 @@ void RoadMapper::add(const PlacedScan& placed) {
   }
   ++counts_.mapped;
   counts_.left_out += placed.left_out + map_.add_scan(placed.edges, placed.plain_m);
-  survey_.add_scan(placed.stamp_ns, placed.surveyed, placed.plain_m);
+  survey_.add_scan(placed.stamp_ns, placed.surveyed, placed.plain_m, placed.raised_m);
 }
 
 }  // namespace berm

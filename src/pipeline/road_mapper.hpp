@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "berm/core/edge.hpp"
+#include "berm/core/label.hpp"
 #include "berm/core/pose_guard.hpp"
 #include "berm/core/road.hpp"
 #include "berm/core/scan.hpp"
@@ -29,7 +31,10 @@ struct PlacedScan {
   std::vector<MappedEdge> edges;
   std::vector<SurveyedEdge> surveyed;  ///< the same edges
   std::vector<Eigen::Vector3d> plain_m;
-  ScanMotion motion;  ///< scratch
+  std::vector<Eigen::Vector3d> raised_m;  ///< all else that is solid: flanks of berms
+  // Scratch.
+  ScanMotion motion;
+  std::vector<std::uint8_t> is_plain;
 };
 
 /// Takes the edges of scan after scan to the world and gathers them: each point with the pose at its own time, and no
@@ -39,8 +44,8 @@ class RoadMapper {
   /// Scans are added to `map`. `first_ns` to `last_ns`: the time of the run, whose path is surveyed.
   RoadMapper(const Machine& machine, const RunPoses& poses, EdgeMap map, Stamp first_ns, Stamp last_ns);
 
-  /// For any thread: writes to `placed` alone.
-  void place(const Scan& scan, const EdgeResult& found, PlacedScan& placed) const;
+  /// `labels`: one per point of the scan. For any thread: writes to `placed` alone.
+  void place(const Scan& scan, std::span<const Label> labels, const EdgeResult& found, PlacedScan& placed) const;
   /// For one thread, in the order of scans.
   void add(const PlacedScan& placed);
 

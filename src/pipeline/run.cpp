@@ -179,7 +179,7 @@ class Run {
     job.mount = result.mount;
     if (edges_.has_map()) {
       const StageClock map_clock;
-      edges_.place(job.scan, result.edge, job.placed);
+      edges_.place(job.scan, result.labels, result.edge, job.placed);
       job.map = map_clock.stop();
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,9 @@ class RunEdges {
   [[nodiscard]] const std::optional<RunPoses>& poses() const { return poses_; }
   [[nodiscard]] bool has_map() const { return mapper_.has_value(); }
 
-  /// For any thread: writes to `placed` alone. Only with a map.
-  void place(const Scan& scan, const EdgeResult& found, PlacedScan& placed) const {
-    mapper_->place(scan, found, placed);
+  /// As `RoadMapper::place`. Only with a map.
+  void place(const Scan& scan, std::span<const Label> labels, const EdgeResult& found, PlacedScan& placed) const {
+    mapper_->place(scan, labels, found, placed);
   }
   /// For one thread, in the order of scans. Only with a map.
   void add(const PlacedScan& placed) { mapper_->add(placed); }

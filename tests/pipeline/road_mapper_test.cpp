@@ -92,12 +92,13 @@ class RoadMapperTest : public testing::Test {
   RunPoses poses_;
   std::vector<EdgePoint> edges_;
   std::vector<std::uint32_t> plain_;
+  std::vector<Label> labels_ = std::vector<Label>(100, Label::obstacle);
   Scan scan_;
   PlacedScan placed_;
 };
 
 TEST_F(RoadMapperTest, EveryPointGoesToTheWorldWithThePoseAtItsTime) {
-  mapper().place(scan_, {edges_, plain_}, placed_);
+  mapper().place(scan_, labels_, {edges_, plain_}, placed_);
   ASSERT_EQ(placed_.trust, PoseTrust::trusted);
   ASSERT_EQ(placed_.edges.size(), edges_.size());
   ASSERT_EQ(placed_.plain_m.size(), plain_.size());
@@ -110,6 +111,19 @@ TEST_F(RoadMapperTest, EveryPointGoesToTheWorldWithThePoseAtItsTime) {
   }
 }
 
+TEST_F(RoadMapperTest, WhatIsSolidAndNoPlainRoadIsForTheBerms) {
+  plain_.resize(40);
+  labels_[50] = Label::falling_snow;
+  labels_[51] = Label::no_return;
+  labels_[52] = Label::unlabeled;
+  mapper().place(scan_, labels_, {edges_, plain_}, placed_);
+  ASSERT_EQ(placed_.plain_m.size(), 40U);
+  ASSERT_EQ(placed_.raised_m.size(), 57U);
+  for (const Eigen::Vector3d& raised_m : placed_.raised_m) {
+    EXPECT_LT((raised_m - place_m_).norm(), 1e-3);
+  }
+}
+
 TEST_F(RoadMapperTest, WhatHasNoTimeIsLeftOut) {
   PointChannels channels = std::move(scan_.cloud).release();
   channels.time[7] = kNaN;
@@ -117,7 +131,7 @@ TEST_F(RoadMapperTest, WhatHasNoTimeIsLeftOut) {
   scan_.cloud = PointCloud(std::move(channels));
   edges_[2].time_s = kNaN;
   RoadMapper mapper = this->mapper();
-  mapper.place(scan_, {edges_, plain_}, placed_);
+  mapper.place(scan_, labels_, {edges_, plain_}, placed_);
   EXPECT_EQ(placed_.left_out, 3U);
   EXPECT_EQ(placed_.plain_m.size(), 98U);
   mapper.add(placed_);
@@ -130,7 +144,7 @@ TEST_F(RoadMapperTest, AScanIsTrustedFromItsFirstPointToItsLast) {
   RoadMapper mapper = this->mapper();
   const auto trust_at = [&](Stamp stamp_ns) {
     scan_.stamp_ns = stamp_ns;
-    mapper.place(scan_, {edges_, plain_}, placed_);
+    mapper.place(scan_, labels_, {edges_, plain_}, placed_);
     mapper.add(placed_);
     return placed_.trust;
   };
