@@ -9,8 +9,8 @@
 
 #include "berm/core/error.hpp"
 #include "berm/io/pose_log.hpp"
-#include "support/made_nmea.hpp"
 #include "support/file_error.hpp"
+#include "support/made_nmea.hpp"
 #include "support/temp_folder.hpp"
 
 namespace berm {
