@@ -5,7 +5,7 @@
 namespace berm::bench {
 namespace {
 
-constexpr double kSeconds = 52.0;  // 310 m at 6 m/s
+constexpr double kSeconds = 60.0;  // at about 6 m/s: 300 m of road at least
 
 test::RunPlan make_run(std::string name, std::uint64_t seed, std::vector<std::string> settings,
                        std::string sensor = "vlp16") {
