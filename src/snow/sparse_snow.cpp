@@ -49,9 +49,14 @@ std::uint8_t level_of(float intensity) {
   return static_cast<std::uint8_t>(std::min(255.0F, std::max(0.0F, intensity)));
 }
 
-/// One point in 32, chosen by the bits of its range, so that the order of points does not matter.
-bool is_in_sample(float range_m) {
-  return std::bit_cast<std::uint32_t>(range_m) * 2654435769U >> 27U == 0;
+/// Samples hold one point in 2^5, where that leaves enough.
+constexpr unsigned kSampleBits = 5;
+/// Of the brightest points so many tell their share of flakes to a few percent.
+constexpr std::size_t kBrightSample = 256;
+
+/// One point in 2^bits, chosen by the bits of its range, so that the order of points does not matter.
+bool is_in_sample(float range_m, unsigned bits) {
+  return (std::bit_cast<std::uint32_t>(range_m) * 2654435769U >> (32U - kSampleBits)) >> (kSampleBits - bits) == 0;
 }
 
 /// How alone a flake has to be.
@@ -190,7 +195,7 @@ void SparseSnow::State::find_sample() {
   for (std::size_t i = 0; i < size; ++i) {
     // Written in any case and kept if it belongs: cheaper than a branch that nobody can foresee.
     sample[count] = static_cast<std::uint32_t>(i);
-    count += is_in_sample(near.range_m(i)) ? 1U : 0U;
+    count += is_in_sample(near.range_m(i), kSampleBits) ? 1U : 0U;
   }
   sample.resize(count);
 }
@@ -209,11 +214,19 @@ std::size_t SparseSnow::State::judge_chosen(const Demand& demand) {
 /// What a surface point counts against a flake, at least as much as makes the brightest tenth of the points a loss:
 /// they are no flakes, and where beams are sparse many of them look like some all the same.
 float SparseSnow::State::weigh_surfaces() {
-  const std::size_t first = near.size() - near.size() / 10;
+  if (near.size() == 0) {
+    return static_cast<float>(config.surface_weight);
+  }
+  const std::size_t tenth = near.size() - std::max<std::size_t>(1, near.size() / 10);
+  const std::size_t first = level_begin[level[by_level[tenth]]];
+  unsigned bits = 0;
+  while (bits < kSampleBits && (near.size() - first) >> (bits + 1) >= kBrightSample) {
+    ++bits;
+  }
   chosen.clear();
-  for (const std::uint32_t i : sample) {
-    if (level_begin[std::size_t{level[i]} + 1] > first) {
-      chosen.push_back(i);
+  for (std::size_t k = first; k < near.size(); ++k) {
+    if (is_in_sample(near.range_m(by_level[k]), bits)) {
+      chosen.push_back(by_level[k]);
     }
   }
   const std::size_t found = judge_chosen(dark);
