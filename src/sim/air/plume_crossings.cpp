@@ -168,7 +168,7 @@ BERM_MULTIVERSION void find_places(const PlumeCrossings& crossings, const Sought
   alignas(32) Packet low_m{};
   alignas(32) Packet high_m = given.end_m;
   alignas(32) Packet extinction_per_m{};
-  Sums sums;
+  Sums sums{};
   for (std::size_t i = 0; i < kLanes; ++i) {
     range_m[i] = given.end_m[i] > 0.0F ? given.end_m[i] * (given.depth[i] / given.end_depth[i]) : 0.0F;
   }

@@ -70,22 +70,28 @@ class Rotor {
 /// below 1e-7 there, less than a float holds.
 [[nodiscard, gnu::always_inline]] inline double cosine_of_root(double q) {
   // Divisions are what costs in such a series.
-  constexpr std::array<double, 7> k = {1.0 / 2.0,  1.0 / 12.0,  1.0 / 30.0, 1.0 / 56.0,
-                                       1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0};
+  constexpr std::array<double, 7> kRatios = {1.0 / 2.0,  1.0 / 12.0,  1.0 / 30.0, 1.0 / 56.0,
+                                             1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0};
   return 1.0 -
-         q * k[0] *
+         q * kRatios[0] *
              (1.0 -
-              q * k[1] * (1.0 - q * k[2] * (1.0 - q * k[3] * (1.0 - q * k[4] * (1.0 - q * k[5] * (1.0 - q * k[6]))))));
+              q * kRatios[1] *
+                  (1.0 - q * kRatios[2] *
+                             (1.0 - q * kRatios[3] *
+                                        (1.0 - q * kRatios[4] * (1.0 - q * kRatios[5] * (1.0 - q * kRatios[6]))))));
 }
 
 /// sin(sqrt(q)) / sqrt(q), the same way.
 [[nodiscard, gnu::always_inline]] inline double sine_over_root(double q) {
-  constexpr std::array<double, 7> k = {1.0 / 6.0,   1.0 / 20.0,  1.0 / 42.0, 1.0 / 72.0,
-                                       1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0};
+  constexpr std::array<double, 7> kRatios = {1.0 / 6.0,   1.0 / 20.0,  1.0 / 42.0, 1.0 / 72.0,
+                                             1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0};
   return 1.0 -
-         q * k[0] *
+         q * kRatios[0] *
              (1.0 -
-              q * k[1] * (1.0 - q * k[2] * (1.0 - q * k[3] * (1.0 - q * k[4] * (1.0 - q * k[5] * (1.0 - q * k[6]))))));
+              q * kRatios[1] *
+                  (1.0 - q * kRatios[2] *
+                             (1.0 - q * kRatios[3] *
+                                        (1.0 - q * kRatios[4] * (1.0 - q * kRatios[5] * (1.0 - q * kRatios[6]))))));
 }
 
 }  // namespace berm::sim
