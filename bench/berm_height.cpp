@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kBermReach_m = 4.0;  // across the berms of the scenarios
 
+}  // namespace
+
 double height_at(const HeightRaster& terrain, const Eigen::Vector2d& p) {
   const double column = (p.x() - terrain.origin_x_m) / terrain.cell_m - 0.5;
   const double row = (p.y() - terrain.origin_y_m) / terrain.cell_m - 0.5;
@@ -24,8 +26,6 @@ double height_at(const HeightRaster& terrain, const Eigen::Vector2d& p) {
   return (1 - v) * ((1 - u) * double{terrain.at(c, r)} + u * double{terrain.at(c + 1, r)}) +
          v * ((1 - u) * double{terrain.at(c, r + 1)} + u * double{terrain.at(c + 1, r + 1)});
 }
-
-}  // namespace
 
 std::optional<double> true_berm_height_m(const HeightRaster& terrain, const Eigen::Vector2d& toe_m,
                                          const Eigen::Vector2d& along) {

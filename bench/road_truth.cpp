@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -25,6 +24,7 @@
 #include "berm/map/edge_lines.hpp"
 #include "berm/map/edge_map.hpp"
 #include "berm/map/road_survey.hpp"
+#include "berm_height.hpp"
 
 namespace berm::bench {
 namespace {
@@ -35,21 +35,6 @@ constexpr double kToe_m = 0.5;
 constexpr double kBermReach_m = 4.0;
 constexpr double kAlong_m = 0.5;
 constexpr double kRoad_m = 3.0;
-
-double height_at(const HeightRaster& terrain, const Eigen::Vector2d& p) {
-  const double column = (p.x() - terrain.origin_x_m) / terrain.cell_m - 0.5;
-  const double row = (p.y() - terrain.origin_y_m) / terrain.cell_m - 0.5;
-  if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(terrain.columns - 1) &&
-        row < static_cast<double>(terrain.rows - 1))) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const auto c = static_cast<std::size_t>(column);
-  const auto r = static_cast<std::size_t>(row);
-  const double u = column - static_cast<double>(c);
-  const double v = row - static_cast<double>(r);
-  return (1 - v) * ((1 - u) * double{terrain.at(c, r)} + u * double{terrain.at(c + 1, r)}) +
-         v * ((1 - u) * double{terrain.at(c, r + 1)} + u * double{terrain.at(c + 1, r + 1)});
-}
 
 /// Slope of heights over the places where they were taken.
 class Slope {
