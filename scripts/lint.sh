@@ -36,7 +36,7 @@ check_shell() { shellcheck -x scripts/*.sh tests/lint/*.sh .ci/run; }
 # Paths of one machine have no place in what others build.
 check_paths() {
   if grep -rnIE '(^|[^A-Za-z0-9_.~$}])/(home|root|work|Users|mnt|media)/' . \
-    --exclude-dir={.git,build,out,.cache} --exclude={LICENSE,lint.sh}; then
+    --exclude-dir={.git,build,out,.cache,node_modules} --exclude={LICENSE,lint.sh}; then
     echo "lint: absolute paths of a machine (above)" >&2
     return 1
   fi
