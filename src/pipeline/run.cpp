@@ -23,6 +23,7 @@
 #include "run_report.hpp"
 #include "scan_table.hpp"
 #include "stage_times.hpp"
+#include "times_table.hpp"
 
 namespace berm {
 namespace {
@@ -108,6 +109,7 @@ class Run {
     Run& self;
     ~Tables() {
       self.scan_table_.reset();
+      self.times_table_.reset();
       self.boundary_table_.reset();
       self.edge_table_.reset();
     }
@@ -115,6 +117,7 @@ class Run {
 
   void open_tables(const OutputFolder& output) {
     scan_table_.emplace(output / "scans.csv");
+    times_table_.emplace(output / "times.csv");
     if (machine_.methods.piste != "none") {
       boundary_table_.emplace(output / "boundary.csv");
     }
@@ -126,7 +129,7 @@ class Run {
 
   /// All but run.json.
   RunFiles write_files(const OutputFolder& output) {
-    RunFiles files = {{"labels", "labels"}, {"scans", "scans.csv"}};
+    RunFiles files = {{"labels", "labels"}, {"scans", "scans.csv"}, {"times", "times.csv"}};
     if (edges_.poses() && !edges_.poses()->trajectory.empty()) {
       write_tum(output / "trajectory.tum", trajectory_);
       files.emplace_back("trajectory", "trajectory.tum");
@@ -134,6 +137,7 @@ class Run {
     }
     edges_.finish(output, files, summary_);
     scan_table_->commit();
+    times_table_->commit();
     if (boundary_table_) {
       boundary_table_->commit();
       files.emplace_back("boundary", "boundary.csv");
@@ -199,10 +203,8 @@ class Run {
       if (edge_table_) {
         edge_table_->add(name, job.edges, T_base_sensor_);
       }
-      times_.write.add(clock.stop());
-      times_.read.add(job.read);
-      add_to_map(job);
-      add_stage_times(job);
+      const StageTime write = clock.stop();
+      add_times(name, {.read = job.read, .stages = job.stages, .map = add_to_map(job), .write = write});
       count(job);
       mount_.add(job.mount);
       add_pose(job.scan.stamp_ns);
@@ -237,24 +239,32 @@ class Run {
     }
   }
 
-  void add_to_map(const Job& job) {
+  /// What it cost; nothing without a map.
+  std::optional<StageTime> add_to_map(const Job& job) {
     if (summary_.edges) {
       summary_.edges->points += job.edges.size();
     }
-    if (edges_.has_map()) {
-      const StageClock clock;
-      edges_.add(job.placed);
-      const StageTime time = clock.stop();
-      times_.map.add({job.map.wall_ms + time.wall_ms, job.map.cpu_ms + time.cpu_ms});
+    if (!edges_.has_map()) {
+      return std::nullopt;
     }
+    const StageClock clock;
+    edges_.add(job.placed);
+    const StageTime time = clock.stop();
+    return StageTime{job.map.wall_ms + time.wall_ms, job.map.cpu_ms + time.cpu_ms};
   }
 
-  void add_stage_times(const Job& job) {
+  void add_times(const std::string& name, const ScanTimes& times) {
+    times_.read.add(times.read);
     for (std::size_t stage = 0; stage < kStages; ++stage) {
-      if (job.stages[stage]) {
-        times_.stages[stage].add(*job.stages[stage]);
+      if (times.stages[stage]) {
+        times_.stages[stage].add(*times.stages[stage]);
       }
     }
+    if (times.map) {
+      times_.map.add(*times.map);
+    }
+    times_.write.add(times.write);
+    times_table_->add(name, times);
   }
 
   void add_pose(Stamp stamp_ns) {
@@ -311,6 +321,7 @@ class Run {
   std::vector<std::unique_ptr<Pipeline>> pipelines_;
   OutputFolder* output_ = nullptr;
   std::optional<ScanTable> scan_table_;
+  std::optional<TimesTable> times_table_;
   std::optional<BoundaryTable> boundary_table_;
   std::optional<EdgePointTable> edge_table_;
   MountStatistics mount_;

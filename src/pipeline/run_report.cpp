@@ -114,8 +114,8 @@ OutputResults run_results() {
   return {"run",
           "run.json",
           std::string("\"schema\": \"") + kRunSchemaName,
-          {"trajectory.tum", "scans.csv", "boundary.csv", "edge_points.csv", "edges.ot", "edges.csv", "edges.geojson",
-           "edges.gpkg", "edges.dxf", "road.csv"},
+          {"trajectory.tum", "scans.csv", "times.csv", "report.html", "boundary.csv", "edge_points.csv", "edges.ot",
+           "edges.csv", "edges.geojson", "edges.gpkg", "edges.dxf", "road.csv"},
           {{"labels", ".label"}}};
 }
 

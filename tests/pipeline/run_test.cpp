@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -31,11 +32,12 @@ Machine made_machine() {
   return machine;
 }
 
-/// Every file below `folder` but run.json, by its path in it.
+/// Every file below `folder` but those that hold times, by its path in it.
 std::map<std::string, std::string> files_below(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file() && entry.path().filename() != "run.json") {
+    const fs::path name = entry.path().filename();
+    if (entry.is_regular_file() && name != "run.json" && name != "times.csv") {
       files[entry.path().lexically_relative(folder).string()] = test::slurp(entry.path());
     }
   }
@@ -93,6 +95,21 @@ TEST_F(RunTest, WritesOneLabelFileAScanAndTheReportLast) {
     }
   }
   EXPECT_GT(report["peak_memory_mib"], 0.0);
+}
+
+TEST_F(RunTest, ListsTheTimesOfEveryLabelledScan) {
+  test::make_recording(recording_, 4, 700);
+  test::spill(recording_ / "scans/000002.pcd", "broken");
+  static_cast<void>(run_it({.output = out_}));
+  std::istringstream table(test::slurp(out_ / "times.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "scan,read_ms,snow_ms,ground_ms,repair_ms,piste_ms,edge_ms,check_ms,map_ms,write_ms");
+  for (const char* name : {"000000", "000001", "000003"}) {
+    ASSERT_TRUE(std::getline(table, line));
+    EXPECT_THAT(line, testing::MatchesRegex(std::string(name) + ",[0-9.]+,[0-9.]+,[0-9.]+,,,,[0-9.]+,,[0-9.]+"));
+  }
+  EXPECT_FALSE(std::getline(table, line));
 }
 
 TEST_F(RunTest, LabelsAreTheIdsOnDiskAndAddUp) {

@@ -110,9 +110,9 @@ struct RunSummary {
 };
 
 /// Takes a recording through the chain and writes the files of a run (docs/command_line.md): labels, scans.csv,
-/// boundary.csv with a piste method, the edges of the road and their map with an edge method, the trajectory, and
-/// run.json last. A scan that cannot be read is skipped and
-/// counted. Same recording and machine, same bytes, but for the times in run.json.
+/// times.csv, boundary.csv with a piste method, the edges of the road and their map with an edge method, the
+/// trajectory, and run.json last. A scan that cannot be read is skipped and counted. Same recording and machine, same
+/// bytes, but for the times in run.json and times.csv.
 ///
 /// Throws Error: invalid_argument if `first` and `count` select nothing or `map` cannot be continued, exists or
 /// write_failed for the output, the first scan's error if no scan at all can be read; ConfigError as `Machine::check`.
