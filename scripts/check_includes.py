@@ -23,10 +23,12 @@ TABLE = {
     "snow": {"core", "geometry"},
     "piste": {"core", "geometry"},
     "edge": {"core", "geometry"},
+    "odometry": {"core", "geometry"},
     "map": {"core", "geometry"},
     "io": {"core"},
     "sim": {"core", "geometry", "io"},
     "eval": {"core", "io"},
+    "report": {"core", "io"},
     "render": {"core", "geometry"},
     "pipeline": {"core", "geometry", "ground", "snow", "piste", "edge", "map", "io", "render"},
 }
@@ -38,6 +40,7 @@ LEAN = {
     "snow": ("Eigen/", "tsl/"),
     "piste": ("Eigen/", "tsl/"),
     "edge": ("Eigen/", "tsl/"),
+    "odometry": ("Eigen/", "ceres/", "tsl/"),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+")

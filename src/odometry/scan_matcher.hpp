@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "berm/odometry/odometry.hpp"
+#include "berm/odometry/surface_odometry.hpp"
+#include "scan_motion.hpp"
+#include "scan_points.hpp"
+#include "surface_map.hpp"
+
+namespace berm {
+
+/// What is expected of a scan's motion before the scan is looked at, and how surely.
+struct MotionPrior {
+  ScanMotion expected;
+  Vector6d begin_sigma;         ///< of T_world_begin, along the axes of the world
+  Vector6d displacement_sigma;  ///< of the displacement during the scan, frame of the base
+};
+
+struct ScanMatch {
+  ScanMotion motion;
+  Matrix6d covariance = Matrix6d::Zero();  ///< of T_world_end
+  double weakest = 0.0;
+  std::size_t inliers = 0;
+  std::size_t iterations = 0;
+  bool is_sound = false;  ///< enough inliers, and finite
+};
+
+/// Moves the two poses of a scan until its samples lie on the surfaces of the map.
+class ScanMatcher {
+ public:
+  explicit ScanMatcher(const SurfaceOdometryConfig& config) : config_(config) {}
+
+  [[nodiscard]] ScanMatch match(std::span<const ScanPoint> samples, const SurfaceMap& map, const MotionPrior& prior);
+
+ private:
+  /// The surface that a sample is drawn to, weights included.
+  struct Pull {
+    SurfaceShape shape = SurfaceShape::unknown;
+    double share = 0.0;
+    Eigen::Vector3d base_m;
+    Eigen::Vector3d mean_m;
+    Eigen::Vector3d normal;
+    double variance_m2 = 0.0;
+    Eigen::Matrix3d information_per_m2;
+  };
+  /// Normal equations of both poses; those of begin and end share their blocks.
+  struct Equations;
+
+  void find_pulls(std::span<const ScanPoint> samples, const SurfaceMap& map, const MotionSteps& steps);
+  [[nodiscard]] Equations weigh(const MotionSteps& steps, const Eigen::Vector3d& center_m, double gate) const;
+  static void add_plane(const Pull& pull, const Eigen::Vector3d& world_m, const Eigen::Vector3d& center_m, double gate,
+                        Equations& equations);
+  static void add_cloud(const Pull& pull, const Eigen::Vector3d& world_m, const Eigen::Vector3d& center_m, double gate,
+                        Equations& equations);
+
+  SurfaceOdometryConfig config_;
+  std::vector<Pull> pulls_;
+};
+
+}  // namespace berm

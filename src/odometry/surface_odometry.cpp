@@ -1,0 +1,138 @@
+#include "berm/odometry/surface_odometry.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "berm/core/error.hpp"
+#include "scan_points.hpp"
+#include "surface_track.hpp"
+
+namespace berm {
+namespace {
+
+/// Speeds that a start is tried with: half a metre a second off, and the map pulls the speed right. Faster machines
+/// are found by the one that is unsure, for what moves fast on roads is well seen.
+constexpr double kStartSpeeds_mps[] = {-1.5, -0.75, 0.0, 0.75, 1.5, 2.25, 3.0, 4.0, 6.0, 8.5, 12.0, 16.0};
+/// Scans after which half of the tracks are given up.
+constexpr std::size_t kRounds[] = {6, 11, 16, 20};
+/// A scan is matched with fewer samples while there are many tracks.
+constexpr std::size_t kStartSamples = 900;
+/// Lost for so many scans in a row, a new map is begun.
+constexpr std::size_t kGiveUp = 20;
+
+}  // namespace
+
+struct SurfaceOdometry::State {
+  explicit State(const SurfaceOdometryConfig& settings) : config(settings) { start(Pose()); }
+
+  SurfaceOdometryConfig config;
+  ScanThinner scan;
+  std::vector<SurfaceTrack> tracks;  ///< one once the start is over
+  std::vector<ScanPoint> few;        ///< samples while there are many tracks
+  std::vector<Pose> revised;
+  std::size_t since_start = 0;
+  std::size_t session = 0;
+  std::optional<Stamp> last_ns;
+
+  void start(const Pose& T_world_base) {
+    tracks.clear();
+    since_start = 0;
+    tracks.emplace_back(config, StartGuess{.speed_mps = 0.0, .is_sure = false}, T_world_base);
+    if (config.find_start) {
+      for (const double speed_mps : kStartSpeeds_mps) {
+        tracks.emplace_back(config, StartGuess{.speed_mps = speed_mps, .is_sure = true}, T_world_base);
+      }
+    }
+  }
+
+  std::span<const ScanPoint> choose_samples() {
+    const std::vector<ScanPoint>& all = scan.samples();
+    if (tracks.size() <= 2 || all.size() <= kStartSamples) {
+      return all;
+    }
+    few.clear();
+    for (std::size_t i = 0; i < kStartSamples; ++i) {
+      few.push_back(all[i * all.size() / kStartSamples]);
+    }
+    return few;
+  }
+
+  /// The sharpest maps first; those that lost the scan last.
+  void sort_tracks(std::vector<OdometryResult>& results) {
+    std::vector<std::size_t> order(tracks.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      order[i] = i;
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      const bool a_lost = results[a].health == OdometryHealth::lost;
+      const bool b_lost = results[b].health == OdometryHealth::lost;
+      return a_lost != b_lost ? b_lost : tracks[a].map().standing() < tracks[b].map().standing();
+    });
+    std::vector<SurfaceTrack> sorted;
+    std::vector<OdometryResult> sorted_results;
+    for (const std::size_t i : order) {
+      sorted.push_back(std::move(tracks[i]));
+      sorted_results.push_back(results[i]);
+    }
+    tracks = std::move(sorted);
+    results = std::move(sorted_results);
+  }
+
+  OdometryResult add_to_all(Stamp stamp_ns) {
+    const auto samples = choose_samples();
+    std::vector<OdometryResult> results;
+    for (SurfaceTrack& track : tracks) {
+      results.push_back(track.add(scan, samples, stamp_ns));
+    }
+    ++since_start;
+    sort_tracks(results);
+    OdometryResult result = results.front();
+    const std::vector<Pose>& begins = tracks.front().begins();
+    revised.assign(begins.begin(), begins.end() - 1);
+    result.revised = revised;
+    if (std::find(std::begin(kRounds), std::end(kRounds), since_start) != std::end(kRounds)) {
+      const bool is_last = since_start == *std::rbegin(kRounds);
+      tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(is_last ? 1 : (tracks.size() + 1) / 2), tracks.end());
+    }
+    if (tracks.size() > 1 && result.health != OdometryHealth::lost) {
+      result.health = OdometryHealth::starting;
+    }
+    return result;
+  }
+
+  OdometryResult add_to_one(Stamp stamp_ns) {
+    SurfaceTrack& track = tracks.front();
+    OdometryResult result = track.add(scan, scan.samples(), stamp_ns);
+    track.forget_begins();
+    return result;
+  }
+};
+
+SurfaceOdometry::SurfaceOdometry(const SurfaceOdometryConfig& config) {
+  config.check();
+  state_ = std::make_unique<State>(config);
+}
+
+SurfaceOdometry::~SurfaceOdometry() = default;
+
+OdometryResult SurfaceOdometry::process(const OdometryInput& input) {
+  State& state = *state_;
+  if (input.labels.size() != input.points.size()) {
+    throw Error(ErrorCode::invalid_argument, "odometry: expected a label for every point");
+  }
+  if (state.last_ns && input.stamp_ns <= *state.last_ns) {
+    throw Error(ErrorCode::invalid_argument, "odometry: the stamp of a scan is not later than that of the one before");
+  }
+  state.last_ns = input.stamp_ns;
+  state.scan.process(input, state.config);
+  OdometryResult result = state.tracks.size() > 1 ? state.add_to_all(input.stamp_ns) : state.add_to_one(input.stamp_ns);
+  result.session = state.session;
+  if (state.tracks.front().lost_scans() >= kGiveUp) {
+    state.start(result.T_world_end);
+    ++state.session;
+  }
+  return result;
+}
+
+}  // namespace berm

@@ -1,0 +1,137 @@
+#include "surface_track.hpp"
+
+#include <algorithm>
+
+#include "berm/core/stamp.hpp"
+
+namespace berm {
+namespace {
+
+/// The end of one scan is the begin of the next: what is between them is the error of a screw for the motion within.
+constexpr double kSeam_m = 0.01;
+constexpr double kSeam_rad = 0.002;
+/// What a scan without duration moves by, to keep the equations regular: m and rad.
+constexpr double kRigid = 1e-6;
+/// A start of any speed: so many times the acceleration, for so many scans.
+constexpr double kUnknownSpeed = 10.0;
+constexpr double kUnknownTurn = 2.0;
+constexpr std::size_t kUnknownScans = 4;
+/// A scan shorter than this still leaves the machine time to change its motion.
+constexpr double kLeastDuration_s = 0.05;
+/// Below this share of what is known, the scan says next to nothing.
+constexpr double kWeak = 0.05;
+/// A standing machine fills its map with this many scans, and adds none until it moved.
+constexpr std::size_t kFullMap = 30;
+constexpr double kMoved_m = 0.05;
+constexpr double kTurned_rad = 0.01;
+/// So often the first scan is put into the map anew with the motion that the second tells.
+constexpr std::size_t kSecondLooks = 4;
+/// The map is cut every so many scans.
+constexpr std::size_t kCutEvery = 20;
+
+Vector6d sigmas(double translation_m, double rotation_rad) {
+  Vector6d result;
+  result << Eigen::Vector3d::Constant(translation_m), Eigen::Vector3d::Constant(rotation_rad);
+  return result;
+}
+
+}  // namespace
+
+SurfaceTrack::SurfaceTrack(const SurfaceOdometryConfig& config, const StartGuess& guess, const Pose& T_world_base)
+    : config_(config), guess_(guess), map_(config), matcher_(config), T_world_end_(T_world_base) {
+  velocity_[0] = guess.speed_mps;
+}
+
+MotionPrior SurfaceTrack::expect(double gap_s, double duration_s) const {
+  MotionPrior prior;
+  prior.expected.T_world_begin = T_world_end_ * Pose::exp(gap_s * velocity_);
+  prior.expected.T_world_end = prior.expected.T_world_begin * Pose::exp(duration_s * velocity_);
+  const bool is_unsure = !guess_.is_sure && mapped_ < kUnknownScans;
+  const double acceleration_mps2 = config_.acceleration_mps2 * (is_unsure ? kUnknownSpeed : 1.0);
+  const double turn_acceleration_rps2 = config_.turn_acceleration_rps2 * (is_unsure ? kUnknownTurn : 1.0);
+  // Over a gap the velocity changes as it does over a scan, and the place by its integral.
+  const double missed_s2 = gap_s * gap_s;
+  prior.begin_sigma = sigmas(kSeam_m + acceleration_mps2 * missed_s2, kSeam_rad + turn_acceleration_rps2 * missed_s2);
+  const double changes_s2 = duration_s * (std::max(duration_s, kLeastDuration_s) + gap_s);
+  prior.displacement_sigma =
+      sigmas(kRigid + acceleration_mps2 * changes_s2, kRigid + turn_acceleration_rps2 * changes_s2);
+  return prior;
+}
+
+Vector6d SurfaceTrack::velocity_to(const ScanMotion& motion, double time_s) const {
+  return (T_world_end_.inverse() * motion.T_world_end).log() / time_s;
+}
+
+ScanMatch SurfaceTrack::match_second(std::span<const ScanPoint> samples, double gap_s, double duration_s) {
+  ScanMatch match = matcher_.match(samples, map_, expect(gap_s, duration_s));
+  for (std::size_t i = 0; i < kSecondLooks && match.is_sound; ++i) {
+    velocity_ = velocity_to(match.motion, gap_s + duration_s);
+    const Pose T_world_begin = begins_.front();
+    T_world_end_ = T_world_begin * Pose::exp(first_duration_s_ * velocity_);
+    map_.clear();
+    put_into_map(first_scan_, {T_world_begin, T_world_end_});
+    match = matcher_.match(samples, map_, expect(gap_s, duration_s));
+  }
+  return match;
+}
+
+OdometryResult SurfaceTrack::add(const ScanThinner& scan, std::span<const ScanPoint> samples, Stamp stamp_ns) {
+  const double duration_s = scan.duration_s();
+  const double gap_s = end_ns_ ? std::max(0.0, to_seconds(stamp_ns - *end_ns_)) : 0.0;
+  const MotionPrior prior = expect(gap_s, duration_s);
+  OdometryResult result{.duration_s = duration_s, .samples = samples.size()};
+  ScanMotion motion = prior.expected;
+  if (mapped_ > 0) {
+    const bool is_second = !first_scan_.empty() && gap_s + first_duration_s_ > 0.0;
+    const ScanMatch match = is_second ? match_second(samples, gap_s, duration_s) : matcher_.match(samples, map_, prior);
+    first_scan_ = {};
+    result.inliers = match.inliers;
+    result.iterations = match.iterations;
+    result.weakest = match.weakest;
+    result.covariance = match.covariance;
+    if (match.is_sound) {
+      motion = match.motion;
+      velocity_ = velocity_to(motion, gap_s + duration_s);
+      lost_ = 0;
+      result.health = match.weakest < kWeak ? OdometryHealth::weak : OdometryHealth::good;
+    } else {
+      ++lost_;
+      result.health = OdometryHealth::lost;
+    }
+  }
+  result.T_world_begin = motion.T_world_begin;
+  result.T_world_end = motion.T_world_end;
+  begins_.push_back(motion.T_world_begin);
+  T_world_end_ = motion.T_world_end;
+  end_ns_ = stamp_ns + from_seconds(duration_s);
+  if (mapped_ == 0) {
+    first_scan_ = scan.for_map();
+    first_duration_s_ = duration_s;
+  }
+  if (result.health != OdometryHealth::lost && is_worth_mapping(motion)) {
+    put_into_map(scan.for_map(), motion);
+    T_world_mapped_ = motion.T_world_end;
+    ++mapped_;
+    if (mapped_ % kCutEvery == 0) {
+      map_.cut(motion.T_world_end.translation_m(), config_.keep_m);
+    }
+  }
+  return result;
+}
+
+bool SurfaceTrack::is_worth_mapping(const ScanMotion& motion) const {
+  if (mapped_ < kFullMap || !T_world_mapped_) {
+    return true;
+  }
+  const Vector6d way = (T_world_mapped_->inverse() * motion.T_world_end).log();
+  return way.head<3>().norm() >= kMoved_m || way.tail<3>().norm() >= kTurned_rad;
+}
+
+void SurfaceTrack::put_into_map(std::span<const ScanPoint> points, const ScanMotion& motion) {
+  const MotionSteps steps(motion);
+  for (const ScanPoint& point : points) {
+    map_.add(steps.to_world(point.base_m, point.share), point.is_ground);
+  }
+}
+
+}  // namespace berm
