@@ -33,13 +33,18 @@ std::filesystem::path program_file() {
 
 }  // namespace
 
-std::vector<std::filesystem::path> settings_folders(const SettingsKind& kind) {
-  std::vector<std::filesystem::path> folders = {kind.plural};
-  if (const std::filesystem::path program = program_file(); !program.empty()) {
-    const std::filesystem::path folder = program.parent_path();
-    folders.push_back(folder / "share/berm" / kind.plural);
-    folders.push_back(folder.parent_path() / "share/berm" / kind.plural);
+std::vector<std::filesystem::path> share_folders(const std::string& name) {
+  const std::filesystem::path program = program_file();
+  if (program.empty()) {
+    return {};
   }
+  const std::filesystem::path folder = program.parent_path();
+  return {folder / "share/berm" / name, folder.parent_path() / "share/berm" / name};
+}
+
+std::vector<std::filesystem::path> settings_folders(const SettingsKind& kind) {
+  std::vector<std::filesystem::path> folders = share_folders(kind.plural);
+  folders.insert(folders.begin(), kind.plural);
   return folders;
 }
 

@@ -204,7 +204,8 @@ class Run {
         edge_table_->add(name, job.edges, T_base_sensor_);
       }
       const StageTime write = clock.stop();
-      add_times(name, {.read = job.read, .stages = job.stages, .map = add_to_map(job), .write = write});
+      add_times(name, job.scan.stamp_ns,
+                {.read = job.read, .stages = job.stages, .map = add_to_map(job), .write = write});
       count(job);
       mount_.add(job.mount);
       add_pose(job.scan.stamp_ns);
@@ -253,7 +254,7 @@ class Run {
     return StageTime{job.map.wall_ms + time.wall_ms, job.map.cpu_ms + time.cpu_ms};
   }
 
-  void add_times(const std::string& name, const ScanTimes& times) {
+  void add_times(const std::string& name, Stamp stamp_ns, const ScanTimes& times) {
     times_.read.add(times.read);
     for (std::size_t stage = 0; stage < kStages; ++stage) {
       if (times.stages[stage]) {
@@ -264,7 +265,7 @@ class Run {
       times_.map.add(*times.map);
     }
     times_.write.add(times.write);
-    times_table_->add(name, times);
+    times_table_->add(name, stamp_ns, times);
   }
 
   void add_pose(Stamp stamp_ns) {

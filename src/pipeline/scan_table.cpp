@@ -18,13 +18,6 @@ std::string degrees(const std::optional<double>& angle_rad) {
   return angle_rad ? field(*angle_rad * kDegPerRad) : std::string();
 }
 
-std::string seconds(Stamp stamp_ns) {
-  constexpr std::uint64_t kSecond_ns = 1'000'000'000;
-  const bool negative = stamp_ns < 0;
-  const auto size_ns = negative ? 0 - static_cast<std::uint64_t>(stamp_ns) : static_cast<std::uint64_t>(stamp_ns);
-  return fmt::format("{}{}.{:09d}", negative ? "-" : "", size_ns / kSecond_ns, size_ns % kSecond_ns);
-}
-
 Eigen::Vector3d in_base_m(const EdgePoint& point, const Pose& T_base_sensor) {
   return T_base_sensor * Eigen::Vector3d(double{point.x_m}, double{point.y_m}, double{point.z_m});
 }
@@ -55,6 +48,13 @@ ScanFigures figures_of(const ScanResult& result, const Pose& T_base_sensor) {
           .degraded = result.degraded};
 }
 
+std::string stamp_field(Stamp stamp_ns) {
+  constexpr std::uint64_t kSecond_ns = 1'000'000'000;
+  const bool negative = stamp_ns < 0;
+  const auto size_ns = negative ? 0 - static_cast<std::uint64_t>(stamp_ns) : static_cast<std::uint64_t>(stamp_ns);
+  return fmt::format("{}{}.{:09d}", negative ? "-" : "", size_ns / kSecond_ns, size_ns % kSecond_ns);
+}
+
 std::string csv_field(std::string_view text) {
   if (text.find_first_of("\",\r\n") == std::string_view::npos) {
     return std::string(text);
@@ -75,9 +75,9 @@ ScanTable::ScanTable(const std::filesystem::path& path) : file_(path) {
 
 void ScanTable::add(const std::string& name, Stamp stamp_ns, const ScanFigures& figures) {
   const LabelCounts& counts = figures.counts;
-  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_field(name), seconds(stamp_ns), counts.points(),
-                                 counts.returns(), counts.no_return, counts.invalid, counts.falling_snow,
-                                 counts.drivable, counts.terrain, counts.obstacle);
+  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_field(name), stamp_field(stamp_ns),
+                                 counts.points(), counts.returns(), counts.no_return, counts.invalid,
+                                 counts.falling_snow, counts.drivable, counts.terrain, counts.obstacle);
   std::optional<double> slope_rad;
   std::optional<double> slope_sigma_rad;
   std::optional<double> cross_fall_rad;

@@ -34,6 +34,9 @@ struct ScanFigures {
 /// `text` as a field of a CSV file (RFC 4180): in quotes where it has to be.
 [[nodiscard]] std::string csv_field(std::string_view text);
 
+/// Seconds with nine decimals.
+[[nodiscard]] std::string stamp_field(Stamp stamp_ns);
+
 /// scans.csv: one line per labelled scan, an empty field for what is not known.
 class ScanTable {
  public:

@@ -16,15 +16,15 @@ std::string field(const std::optional<StageTime>& time) {
 }  // namespace
 
 TimesTable::TimesTable(const std::filesystem::path& path) : file_(path) {
-  std::string header = "scan,read_ms";
+  std::string header = "scan,stamp,read_ms";
   for (std::size_t stage = 0; stage < kStages; ++stage) {
     header += fmt::format(",{}_ms", to_string(static_cast<Stage>(stage)));
   }
   file_.write(header + ",map_ms,write_ms\n");
 }
 
-void TimesTable::add(const std::string& name, const ScanTimes& times) {
-  std::string line = csv_field(name) + field(times.read);
+void TimesTable::add(const std::string& name, Stamp stamp_ns, const ScanTimes& times) {
+  std::string line = csv_field(name) + "," + stamp_field(stamp_ns) + field(times.read);
   for (const std::optional<StageTime>& stage : times.stages) {
     line += field(stage);
   }

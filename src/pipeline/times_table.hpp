@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "berm/core/stamp.hpp"
 #include "berm/io/atomic_file.hpp"
 #include "berm/pipeline/pipeline.hpp"
 #include "stage_times.hpp"
@@ -23,7 +24,7 @@ struct ScanTimes {
 class TimesTable {
  public:
   explicit TimesTable(const std::filesystem::path& path);
-  void add(const std::string& name, const ScanTimes& times);
+  void add(const std::string& name, Stamp stamp_ns, const ScanTimes& times);
   void commit() { file_.commit(); }
 
  private:
