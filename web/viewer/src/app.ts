@@ -63,6 +63,7 @@ export class App implements Actions {
   private dirty = true;
   private wantNew = true;
   private shown = '';
+  private drawn = '';
   private direction = 1;
   private pisteShown = '';
   private pisteAbort = new AbortController();
@@ -173,11 +174,11 @@ export class App implements Actions {
   }
 
   turn(azimuth_deg: number, elevation_deg: number): void {
-    this.store.change((s) => (s.view = orbit(s.view, azimuth_deg, elevation_deg)));
+    this.setView(orbit(this.store.state.view, azimuth_deg, elevation_deg));
   }
 
   zoom(factor: number): void {
-    this.store.change((s) => (s.view = zoom(s.view, factor)));
+    this.setView(zoom(this.store.state.view, factor));
   }
 
   setTool(tool: state.ToolName): void {
@@ -275,7 +276,7 @@ export class App implements Actions {
   private listen(canvas: HTMLCanvasElement): void {
     new PointerControl(canvas, {
       view: () => this.store.state.view,
-      setView: (view) => this.store.change((s) => (s.view = view)),
+      setView: (view) => this.setView(view),
       click: (x, y) => this.click(x, y),
       doubleClick: (x, y) => this.lookAt(x, y),
       hover: (x, y) => (this.pointer = { x, y }),
@@ -322,6 +323,7 @@ export class App implements Actions {
       for (const layer of state.kLayers) this.applyLayer(run, layer);
     }
     this.applyMarks();
+    this.drawn = '';
     this.chart.drawer.show(s.tool === 'profile');
     this.waveform.drawer.show(s.layers.has('piste') && this.runs[0]!.info.layers.has('piste'));
     this.toolbar.sync(s);
@@ -348,18 +350,32 @@ export class App implements Actions {
   }
 
   private applyMarks(): void {
-    const { marks, tool, halfWidth_m } = this.store.state;
+    const { marks, tool } = this.store.state;
     const scale_m = Math.max(0.03, this.store.state.view.distance_m * 0.004);
     for (const run of this.runs) run.view.setLayer('marks', makeMarks(tool === 'none' ? [] : marks, scale_m));
     const [a, b] = marks;
     this.hud.measurement(tool, marks.length, a !== undefined && b !== undefined ? measure(a, b) : undefined);
+  }
+
+  /** The profile of what is drawn now: anew when marks, labels, scans or tiles change. */
+  private applyProfile(): void {
+    const { marks, tool, halfWidth_m } = this.store.state;
     if (tool !== 'profile') return;
-    const length_m = a !== undefined && b !== undefined ? Math.hypot(b[0] - a[0], b[1] - a[1]) : 0;
-    const points =
-      a === undefined || b === undefined
-        ? []
-        : this.runs.flatMap((run) => profile(blocksOf(run), a, b, halfWidth_m, this.isShown(run)));
-    this.chart.show(points, length_m, halfWidth_m);
+    const [a, b] = marks;
+    if (a === undefined || b === undefined) {
+      this.chart.show([], 0, halfWidth_m);
+      return;
+    }
+    const points = this.runs.flatMap((run) => profile(blocksOf(run), a, b, halfWidth_m, this.isShown(run)));
+    this.chart.show(points, Math.hypot(b[0] - a[0], b[1] - a[1]), halfWidth_m);
+  }
+
+  /** The camera alone, many times a second: nothing but the picture depends on it. */
+  private setView(view: state.CameraView): void {
+    this.store.state.view = view;
+    if (this.store.state.marks.length > 0) this.applyMarks();
+    this.wantNew = this.dirty = true;
+    this.scheduleHash();
   }
 
   private setRange(mode: Mode, range: Range | undefined): void {
@@ -378,7 +394,7 @@ export class App implements Actions {
   private syncFacts(): void {
     const { mode, layers } = this.store.state;
     const run = this.runs[0]!;
-    const [scan] = [...run.view.shownScans.values()];
+    const scan = run.view.shownScans.get(run.view.current);
     const tiles = layers.has('map') ? run.tiles : undefined;
     this.facts.range =
       this.manualRanges.get(mode) ?? autoRange(mode, scan?.block, run.view.anchor.position[2], tiles);
@@ -473,8 +489,16 @@ export class App implements Actions {
     for (const pane of this.stage.panes) wanted.push(...this.showMap(pane));
     this.loader.want([...wanted, ...later]);
     this.dirty = true;
-    const shown = this.runs.map((run) => [...run.view.shownScans.keys()][0] ?? -1).join();
-    if (shown !== this.shown || this.store.state.mode === 'ground') this.shownChanged(shown);
+    const shown = this.runs.map((run) => run.view.current).join();
+    if (shown !== this.shown) this.shownChanged(shown);
+    this.showPiste();
+    const drawn = this.runs
+      .map((run) => [...run.view.drawn()].map((object) => object.object.id).join())
+      .join(';');
+    if (drawn === this.drawn) return;
+    this.drawn = drawn;
+    if (this.store.state.mode === 'ground') this.addGround();
+    this.applyProfile();
   }
 
   private shownChanged(shown: string): void {
@@ -485,7 +509,6 @@ export class App implements Actions {
       `3D view of scan ${shown} of ${this.runs.map((run) => run.info.name).join(' and ')}`,
     );
     this.syncFacts();
-    this.showPiste();
   }
 
   private showMap(pane: Pane): Wanted<PointBlock>[] {
@@ -566,9 +589,7 @@ export class App implements Actions {
   private lookAt(x: number, y: number): void {
     const picked = this.pickAt(x, y);
     if (picked === undefined || this.store.state.tool !== 'none') return;
-    this.store.change(
-      (s) => (s.view = { ...s.view, target: toAnchor(picked.world, this.anchor(picked.pane)) }),
-    );
+    this.setView({ ...this.store.state.view, target: toAnchor(picked.world, this.anchor(picked.pane)) });
   }
 
   private hover(): void {

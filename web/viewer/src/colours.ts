@@ -2,24 +2,26 @@
 export type Colour = number;
 
 /**
- * Colours of labels, after the palette of Okabe and Ito (2008), "Color universal design": they stay apart for people who
- * do not see red, green or blue as others do, and on the dark background.
+ * Colours of labels, those of `berm draw` on a dark background: the hues of Okabe and Ito (2008), "Color universal
+ * design", moved until the closest two are as far apart as they can be for people who lack one kind of cones. The
+ * classes below the line occur in truth only.
  */
 const kLabelColours: Readonly<Record<string, Colour>> = {
-  unlabeled: 0x8b949e,
-  no_return: 0x5b636d,
-  falling_snow: 0x56b4e9,
-  drivable: 0x009e73,
-  terrain: 0xf0e442,
-  obstacle: 0xd55e00,
-  vegetation: 0xb8d98a,
+  unlabeled: 0x9c74b2,
+  no_return: 0x525458,
+  falling_snow: 0xb0defa,
+  drivable: 0x30b48a,
+  terrain: 0xe6be42,
+  obstacle: 0xd83c24,
+
+  vegetation: 0x7f9f3c,
   building: 0xcc79a7,
-  fence: 0xe69f00,
+  fence: 0x3d8bff,
   pole: 0xffffff,
-  vehicle: 0x3d8bff,
+  vehicle: 0x6a5cff,
 };
 
-const kOtherLabels: readonly Colour[] = [0xcc79a7, 0xe69f00, 0x3d8bff, 0xb8d98a, 0xffffff, 0x9d7cff];
+const kOtherLabels: readonly Colour[] = [0xcc79a7, 0x3d8bff, 0x7f9f3c, 0xffffff, 0x6a5cff];
 
 /** The colour of a label by its name ("falling snow" is falling_snow); others take turns by `id`. */
 export function labelColour(name: string, id: number): Colour {

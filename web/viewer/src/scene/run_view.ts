@@ -40,6 +40,8 @@ export class RunView {
   readonly style = new PointStyle();
   readonly layers = new Map<string, Object3D>();
   anchor: Anchor = kWorld;
+  /** The newest scan that is drawn; -1 before the first has come. */
+  current = -1;
 
   private readonly scans = new Map<number, PointObject>();
   private readonly tiles = new Map<number, PointObject>();
@@ -75,6 +77,7 @@ export class RunView {
       const object = this.scans.get(scan) ?? this.addScan(scan, block);
       object.fade = 1 - (0.55 * age) / Math.max(1, wanted.length);
     });
+    this.current = current;
     const pose = poseMatrix(this.table, current);
     this.anchor = hasPose(this.table, current) ? anchorOf(pose) : kWorld;
     this.machine.matrix.copy(pose);

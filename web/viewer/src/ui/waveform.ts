@@ -38,7 +38,7 @@ export class Waveform {
       piste.petals.length > 0 ? `, ${piste.steps.length} steps, ${piste.petals.length} petals` : '';
     this.drawer.heading = `Waveform of scan ${scan + 1}, method ${piste.method}${found}`;
     const samples = Array.from(piste.z, (_, k) => k + piste.first);
-    const data: uPlot.AlignedData = [samples, [...piste.z], [...piste.x], [...piste.intensity]];
+    const data: uPlot.AlignedData = [samples, [...piste.intensity], [...piste.x], [...piste.z]];
     if (this.plot === undefined) this.plot = this.create(data);
     else this.plot.setData(data);
     fit(this.plot, this.drawer.body, kLegend_px);
@@ -78,9 +78,9 @@ export class Waveform {
         ],
         series: [
           { label: 'sample' },
-          line('height z (m)', 'm', '#56b4e9'),
+          line('intensity', 'i', 'rgba(230, 159, 0, 0.55)'),
           line('range x (m)', 'm', '#009e73', false),
-          line('intensity', 'i', '#e69f00'),
+          line('height z (m)', 'm', '#56b4e9'),
         ],
         cursor: { drag: { x: true, y: false } },
         hooks: {
