@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <cpl_conv.h>
@@ -120,6 +121,25 @@ void set_confidence(OGRFeature& feature, const GeoLine& line) {
   feature.SetField("min_confidence", rounded(least, kConfidenceDecimals));
 }
 
+/// The same for heights; no least where none is known.
+void set_height(OGRFeature& feature, const GeoLine& line) {
+  std::string list;
+  std::optional<double> least_m;
+  for (const GeoLine::Vertex& vertex : line.vertices) {
+    list += list.empty() ? "[" : ",";
+    if (!vertex.berm_height_m) {
+      list += "null";
+      continue;
+    }
+    append_fixed(list, *vertex.berm_height_m, kMetreDecimals);
+    least_m = std::min(least_m.value_or(*vertex.berm_height_m), *vertex.berm_height_m);
+  }
+  feature.SetField("berm_height_m", (list + "]").c_str());
+  if (least_m) {
+    feature.SetField("min_berm_height_m", rounded(*least_m, kMetreDecimals));
+  }
+}
+
 void add_feature(OGRLayer& layer, OGRFeature& feature, const OGRLineString& geometry) {
   MemoryDataset::check(feature.SetGeometry(&geometry) == OGRERR_NONE, "takes no line");
   MemoryDataset::check(layer.CreateFeature(&feature) == OGRERR_NONE, "takes no feature");
@@ -137,11 +157,14 @@ std::string to_geopackage(std::span<const GeoLine> lines) {
   add_field(layer, "side", OFTString);
   add_field(layer, "min_confidence", OFTReal);
   add_field(layer, "confidence", OFTString);
+  add_field(layer, "min_berm_height_m", OFTReal);
+  add_field(layer, "berm_height_m", OFTString);
   for (const GeoLine& line : lines) {
     OGRFeature feature(layer.GetLayerDefn());
     feature.SetField("line", static_cast<GIntBig>(line.number));
     feature.SetField("side", std::string(side_name(line.side)).c_str());
     set_confidence(feature, line);
+    set_height(feature, line);
     OGRLineString geometry;
     for (const GeoLine::Vertex& vertex : line.vertices) {
       geometry.addPoint(vertex.place.lon_deg, vertex.place.lat_deg, vertex.place.h_m);

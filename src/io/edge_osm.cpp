@@ -23,10 +23,12 @@ std::string tag(std::string_view indent, std::string_view key, std::string_view 
 }
 
 std::string node(std::size_t id, const GeoLine::Vertex& vertex) {
-  return fmt::format("  <node id=\"{}\" visible=\"true\" version=\"1\" lat=\"{}\" lon=\"{}\">\n{}{}  </node>\n", id,
+  const std::string height =
+      vertex.berm_height_m ? tag("    ", "berm_height", fixed(*vertex.berm_height_m, kMetreDecimals)) : "";
+  return fmt::format("  <node id=\"{}\" visible=\"true\" version=\"1\" lat=\"{}\" lon=\"{}\">\n{}{}{}  </node>\n", id,
                      fixed(vertex.place.lat_deg, kOsmDegreeDecimals), fixed(vertex.place.lon_deg, kOsmDegreeDecimals),
                      tag("    ", "ele", fixed(vertex.place.h_m, kMetreDecimals)),
-                     tag("    ", "confidence", fixed(vertex.confidence, kConfidenceDecimals)));
+                     tag("    ", "confidence", fixed(vertex.confidence, kConfidenceDecimals)), height);
 }
 
 std::string way(std::size_t id, std::size_t first_node, const GeoLine& line) {

@@ -23,7 +23,8 @@ GeoLine::Vertex crossing(const GeoLine::Vertex& a, const GeoLine::Vertex& b) {
   const double share = span_deg != 0.0 ? (end_deg - a.place.lon_deg) / span_deg : 0.0;
   const auto between = [share](double from, double to) { return from + share * (to - from); };
   return {{between(a.place.lat_deg, b.place.lat_deg), end_deg, between(a.place.h_m, b.place.h_m)},
-          between(a.confidence, b.confidence)};
+          between(a.confidence, b.confidence),
+          a.berm_height_m};
 }
 
 void append_cut(std::vector<GeoLine>& parts, const GeoLine::Vertex& vertex) {
@@ -57,6 +58,9 @@ void check_edge_lines(std::span<const EdgeLine> lines) {
       if (!(vertex.confidence >= 0.0 && vertex.confidence <= 1.0)) {
         refuse(i, fmt::format("has the confidence {}, expected 0 to 1", vertex.confidence));
       }
+      if (vertex.berm_height_m && !(std::abs(*vertex.berm_height_m) <= kMaxCoordinate_m)) {
+        refuse(i, "has a berm whose height is not finite or beyond +-1e9 m");
+      }
     }
   }
 }
@@ -71,7 +75,7 @@ std::vector<GeoLine> to_geo_lines(std::span<const EdgeLine> lines, const LocalFr
                               "projected coordinates?",
                               vertex.position_m.norm() / 1000.0, LocalFrame::kMaxDistance_m / 1000.0));
       }
-      append_cut(parts, {frame.to_geodetic(vertex.position_m), vertex.confidence});
+      append_cut(parts, {frame.to_geodetic(vertex.position_m), vertex.confidence, vertex.berm_height_m});
     }
   }
   return parts;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ struct GeoLine {
   struct Vertex {
     Geodetic place;
     double confidence = 1.0;
+    std::optional<double> berm_height_m = std::nullopt;
   };
 
   std::size_t number = 0;  ///< of the line that it is a part of

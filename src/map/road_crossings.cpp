@@ -12,8 +12,6 @@ constexpr double kCell_m = 4.0;
 constexpr double kLookEvery_m = 2.0;
 /// No edge has longer segments.
 constexpr double kMostSegment_m = 1000.0;
-/// Stretches that were carried across a gap have 0.5; a place seen once, with 0.7, is clearly above.
-constexpr double kLeastConfidence = 0.6;
 /// What lies nearer to the path was driven over.
 constexpr double kLeast_m = 0.5;
 /// Edges far above or below are those of another road: of the next bench, on a ramp that turns back.

@@ -13,6 +13,9 @@
 
 namespace berm {
 
+/// Stretches of line that were carried across a gap have 0.5; a place seen once, with 0.7, is clearly above.
+constexpr double kLeastConfidence = 0.6;
+
 /// Where the edges lie to the left and right of a place of the path.
 struct RoadCrossings {
   std::optional<double> left_m;   ///< horizontally from the path

@@ -188,13 +188,14 @@ void RunEdges::write_map(const OutputFolder& output, RunFiles& files, RunSummary
     summary.notes.push_back(
         fmt::format("{} scans are not in the map, since their poses are not trusted ({})", scans, reasons));
   }
-  const std::vector<EdgeLine> lines = extract_lines(map, machine_.lines);
+  std::vector<EdgeLine> lines = extract_lines(map, machine_.lines);
   for (const EdgeLine& line : lines) {
     ++counts.lines[static_cast<std::size_t>(line.side)];
     counts.lines_m[static_cast<std::size_t>(line.side)] += length_m(line);
   }
   const std::vector<RoadStation> stations = mapper_->stations(lines);
   counts.road = count_rules(stations);
+  set_berm_heights(stations, lines);
   write_road_files(output, map, lines, stations, poses_->datum, files, summary.notes);
 }
 

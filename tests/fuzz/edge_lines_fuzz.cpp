@@ -1,3 +1,4 @@
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -11,6 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       berm::test::demand(line.vertices.size() >= 2);
       for (const berm::EdgeLine::Vertex& vertex : line.vertices) {
         berm::test::demand(vertex.position_m.allFinite() && vertex.confidence >= 0.0 && vertex.confidence <= 1.0);
+        berm::test::demand(!vertex.berm_height_m || std::isfinite(*vertex.berm_height_m));
       }
     }
   });

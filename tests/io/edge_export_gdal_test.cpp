@@ -71,6 +71,10 @@ TEST_F(EdgeExportGdalTest, GeoPackageReadsBack) {
   const Feature feature(layer->GetNextFeature());
   EXPECT_EQ(nlohmann::json::parse(feature->GetFieldAsString("confidence")), (nlohmann::json{1.0, 0.75, 0.125}));
   EXPECT_EQ(feature->GetFieldAsDouble("min_confidence"), 0.125);
+  EXPECT_EQ(nlohmann::json::parse(feature->GetFieldAsString("berm_height_m")), (nlohmann::json{1.25, 0.5, nullptr}));
+  EXPECT_EQ(feature->GetFieldAsDouble("min_berm_height_m"), 0.5);
+  const Feature unknown(layer->GetNextFeature());
+  EXPECT_FALSE(unknown->IsFieldSetAndNotNull(unknown->GetFieldIndex("min_berm_height_m")));
 }
 
 TEST_F(EdgeExportGdalTest, GeoJsonReadsBack) {

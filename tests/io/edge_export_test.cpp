@@ -67,6 +67,7 @@ void expect_rfc_7946(const json& document) {
       }
     }
     EXPECT_EQ(feature.at("properties").at("confidence").size(), geometry.at("coordinates").size());
+    EXPECT_EQ(feature.at("properties").at("berm_height_m").size(), geometry.at("coordinates").size());
   }
 }
 
@@ -93,6 +94,8 @@ TEST(GeoJson, IsThatOfTheRfcAndComesBackToTheMetre) {
       EXPECT_LT((local_m - lines[i].vertices[k].position_m).norm(), 0.01);
       EXPECT_EQ(feature.at("properties").at("confidence")[k], lines[i].vertices[k].confidence);
     }
+    EXPECT_EQ(feature.at("properties").at("berm_height_m"),
+              i == 0 ? (json{1.25, 0.5, nullptr}) : (json{nullptr, nullptr}));
   }
   expect_rfc_7946(exported_geojson({}, made_datum()));
 }
@@ -134,6 +137,7 @@ TEST(LaneletOsm, HoldsRoadBordersWithNumbersOfTheirOwn) {
   EXPECT_EQ(count("<way "), 2U);
   EXPECT_EQ(count("<tag k=\"type\" v=\"road_border\"/>"), 2U);
   EXPECT_EQ(count("<tag k=\"side\" v=\"left\"/>"), 1U);
+  EXPECT_EQ(count("<tag k=\"berm_height\" v=\""), 2U);
   EXPECT_EQ(count("<nd ref="), 5U);
   EXPECT_NE(text.find("<way id=\"6\" visible=\"true\" version=\"1\">\n    <nd ref=\"1\"/>\n    <nd ref=\"2\"/>"),
             std::string::npos);

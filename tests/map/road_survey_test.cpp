@@ -485,6 +485,52 @@ TEST(RoadSurvey, AWallIsNoBerm) {
   EXPECT_FALSE(stations[20].left.berm_height_m);
 }
 
+TEST(BermHeights, VerticesHaveThoseOfTheStationsBesideThem) {
+  MadeRoad road;
+  road.curvature = 0.02;
+  auto lines = road.lines(-20.0, 60.0);
+  for (std::size_t i = 60; i < 80; ++i) {
+    lines[0].vertices[i].confidence = 0.5;  // carried across a gap, from 10 to 20 m
+  }
+  EdgeLine above = lines[1];
+  for (EdgeLine::Vertex& vertex : above.vertices) {
+    vertex.position_m.z() += 10.0;
+  }
+  lines.push_back(above);
+  const auto scans = test::made_scans(road, 0.0, 40.0, {}, 1);
+  set_berm_heights(test::survey({}, road.path(0.0, 40.0), scans, road.lines(-20.0, 60.0)), lines);
+  const double truth_m[] = {road.left_berm_m, road.right_berm_m};
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t i = 0; i < lines[side].vertices.size(); ++i) {
+      const double s_m = -20.0 + 0.5 * static_cast<double>(i);
+      const auto& height_m = lines[side].vertices[i].berm_height_m;
+      const bool is_seen = lines[side].vertices[i].confidence > 0.5;
+      if (s_m > 2.0 && s_m < 38.0 && is_seen) {
+        ASSERT_TRUE(height_m) << side << " " << s_m;
+        EXPECT_NEAR(*height_m, truth_m[side], 0.01);
+      } else if (s_m < -2.0 || s_m > 42.0 || !is_seen) {
+        EXPECT_FALSE(height_m) << side << " " << s_m;
+      }
+    }
+  }
+  for (const EdgeLine::Vertex& vertex : lines[2].vertices) {
+    EXPECT_FALSE(vertex.berm_height_m) << "of the bench above";
+  }
+}
+
+TEST(BermHeights, TheSurerStationSaysMore) {
+  std::vector<RoadStation> stations(2);
+  for (RoadStation& station : stations) {
+    station.left.edge_m = Measure{5.0, 0.1};
+  }
+  stations[0].left.berm_height_m = Measure{1.0, 0.1};
+  stations[1].left.berm_height_m = Measure{2.0, 0.2};
+  std::vector<EdgeLine> lines{{EdgeSide::left, {{{0.0, 5.0, 0.0}, 1.0}, {{1.5, 5.0, 0.0}, 1.0}}}};
+  set_berm_heights(stations, lines);
+  EXPECT_NEAR(lines[0].vertices[0].berm_height_m.value(), (1.0 * 4 + 2.0) / 5, 1e-12);
+  EXPECT_FALSE(lines[0].vertices[1].berm_height_m);
+}
+
 TEST(RoadSurvey, RefusesSettingsOutOfRange) {
   RoadConfig config;
   config.spacing_m = 0.0;

@@ -45,6 +45,13 @@ TEST_F(RunEdgesTest, WritesTheMapAndItsLines) {
     EXPECT_GT(edges[side]["km"], 0.01) << side;
   }
   EXPECT_EQ(report["files"]["road"], "road.csv");
+  std::size_t heights = 0;
+  for (const EdgeLine& line : lines()) {
+    for (const EdgeLine::Vertex& vertex : line.vertices) {
+      heights += vertex.berm_height_m ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(heights, 20U);
   EXPECT_NEAR(edges["road"]["stations"].get<double>(), 16.0, 2.0);
   EXPECT_GT(edges["road"]["width_rule"]["broken"], 0) << "two lanes for the truck need 22.75 m";
   EXPECT_FALSE(edges["road"]["width_rule"].contains("holds"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,7 +21,8 @@ enum class EdgeKind : std::uint8_t {
 struct EdgeLine {
   struct Vertex {
     Eigen::Vector3d position_m;
-    double confidence = 1.0;  ///< 0..1
+    double confidence = 1.0;                             ///< 0..1
+    std::optional<double> berm_height_m = std::nullopt;  ///< above the road at its toe, 0 at a drop; none: not known
   };
 
   EdgeSide side = EdgeSide::left;

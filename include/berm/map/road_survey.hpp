@@ -89,4 +89,8 @@ class RoadSurvey {
   std::unique_ptr<State> state_;
 };
 
+/// Gives every vertex of `lines` the height of the berm that stations saw there: the mean of those whose edge lies
+/// within a metre, by how sure each is. None where no station saw it, and none on a stretch of line that was not seen.
+void set_berm_heights(std::span<const RoadStation> stations, std::span<EdgeLine> lines);
+
 }  // namespace berm
