@@ -12,6 +12,7 @@ find_package(GeographicLib REQUIRED)
 find_package(tsl-robin-map REQUIRED)
 find_package(octomap REQUIRED)
 find_package(Threads REQUIRED)
+find_package(Ceres 2.0 REQUIRED)
 
 find_package(GDAL QUIET)
 option(BERM_WITH_GDAL "Read GeoTIFF, write GeoPackage and DXF (needs libgdal-dev)" ${GDAL_FOUND})

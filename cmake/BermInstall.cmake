@@ -7,6 +7,7 @@ get_property(BERM_MODULES GLOBAL PROPERTY BERM_MODULES)
 
 # Package of find_package for every target of other projects that a module may link.
 set(BERM_PACKAGE_OF_Eigen3::Eigen Eigen3)
+set(BERM_PACKAGE_OF_Ceres::ceres Ceres)
 set(BERM_PACKAGE_OF_CLI11::CLI11 CLI11)
 set(BERM_PACKAGE_OF_PNG::PNG PNG)
 set(BERM_PACKAGE_OF_embree embree)
