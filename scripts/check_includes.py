@@ -26,11 +26,12 @@ TABLE = {
     "odometry": {"core", "geometry"},
     "map": {"core", "geometry"},
     "io": {"core"},
+    "view": {"core", "geometry", "io", "map"},
     "sim": {"core", "geometry", "io"},
     "eval": {"core", "io"},
     "report": {"core", "io"},
     "render": {"core", "geometry"},
-    "pipeline": {"core", "geometry", "ground", "snow", "piste", "edge", "map", "io", "render"},
+    "pipeline": {"core", "geometry", "ground", "snow", "piste", "edge", "odometry", "map", "io", "render"},
 }
 # Modules that users embed: what their includes in angle brackets may start with, beside the standard library.
 LEAN = {
@@ -40,7 +41,7 @@ LEAN = {
     "snow": ("Eigen/", "tsl/"),
     "piste": ("Eigen/", "tsl/"),
     "edge": ("Eigen/", "tsl/"),
-    "odometry": ("Eigen/", "ceres/", "tsl/"),
+    "odometry": ("Eigen/", "ceres/", "nanoflann", "tsl/"),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STANDARD = re.compile(r"[a-z_]+")

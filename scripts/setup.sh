@@ -13,7 +13,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build
   libeigen3-dev libfmt-dev libspdlog-dev libcli11-dev libyaml-cpp-dev nlohmann-json3-dev
-  libceres-dev liblzf-dev libpng-dev robin-map-dev libembree-dev libgdal-dev liboctomap-dev
+  libceres-dev liblzf-dev libpng-dev robin-map-dev libnanoflann-dev libembree-dev libgdal-dev liboctomap-dev libboost-dev
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
 )
 dev_packages=(gcovr shellcheck python3 gdal-bin libxml2-utils)

@@ -12,5 +12,7 @@ void add_eval(CLI::App& app, int& exit_code);
 void add_draw(CLI::App& app, int& exit_code);
 void add_machine(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
+void add_view(CLI::App& app, int& exit_code);
 
 }  // namespace berm::app

@@ -5,27 +5,6 @@
 namespace berm::app {
 namespace {
 
-Label to_label(std::uint32_t raw) {
-  switch (semantic_class(raw)) {
-    case 0:
-    case 1:
-      return Label::unlabeled;
-    case 110:
-      return Label::falling_snow;
-    case 40:
-    case 44:
-    case 48:
-    case 49:
-    case 60:
-      return Label::drivable;
-    case 72:
-    case 111:
-      return Label::terrain;
-    default:
-      return Label::obstacle;
-  }
-}
-
 bool is_ground(std::uint32_t raw) {
   const Label label = to_label(raw);
   return label == Label::drivable || label == Label::terrain;

@@ -47,6 +47,8 @@ int run_program(int argc, char** argv) {
   add_draw(app, exit_code);
   add_machine(app, exit_code);
   add_map(app, exit_code);
+  add_report(app, exit_code);
+  add_view(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -12,6 +12,27 @@
 
 namespace berm {
 
+Label to_label(std::uint32_t raw) {
+  switch (semantic_class(raw)) {
+    case 0:
+    case 1:
+      return Label::unlabeled;
+    case 110:
+      return Label::falling_snow;
+    case 40:
+    case 44:
+    case 48:
+    case 49:
+    case 60:
+      return Label::drivable;
+    case 72:
+    case 111:
+      return Label::terrain;
+    default:
+      return Label::obstacle;
+  }
+}
+
 std::vector<std::uint32_t> parse_labels(std::span<const std::byte> bytes, const std::string& name,
                                         std::optional<std::size_t> expected_points) {
   constexpr std::size_t kLabelBytes = sizeof(std::uint32_t);

@@ -21,6 +21,10 @@ namespace berm {
   return raw >> 16U;
 }
 
+/// What berm makes of a SemanticKITTI label of any origin: what vehicles drive on is drivable, other ground is terrain,
+/// 0 and 1 (outlier) are unlabeled, 110 is falling snow, everything else an obstacle.
+[[nodiscard]] Label to_label(std::uint32_t raw);
+
 /// Reads a SemanticKITTI `.label` file: one u32 per point, low 16 bits class, high 16 instance. Throws FileError as
 /// `read_file`, truncated where the size is no multiple of 4, malformed (with both numbers) where there are not
 /// `expected_points` of them; `nullopt` takes any number.
