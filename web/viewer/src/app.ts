@@ -490,7 +490,7 @@ export class App implements Actions {
     this.loader.want([...wanted, ...later]);
     this.dirty = true;
     const shown = this.runs.map((run) => run.view.current).join();
-    if (shown !== this.shown) this.shownChanged(shown);
+    if (shown !== this.shown && this.runs.some((run) => run.view.current >= 0)) this.shownChanged(shown);
     this.showPiste();
     const drawn = this.runs
       .map((run) => [...run.view.drawn()].map((object) => object.object.id).join())

@@ -71,7 +71,7 @@ const sameSet = <T>(a: ReadonlySet<T>, b: ReadonlySet<T>) =>
 export function encodeState(state: ViewState): string {
   const base = defaultState();
   const fields = new URLSearchParams();
-  fields.set('t', short(state.time_s));
+  fields.set('t', short(state.time_s, 6));
   if (state.speed !== base.speed) fields.set('speed', short(state.speed));
   if (state.mode !== base.mode) fields.set('colour', state.mode);
   if (state.pointSize !== base.pointSize) fields.set('size', short(state.pointSize));

@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { encodePoses, madePoses } from '../../test/made_data';
 import { decodePoses } from '../src/data/poses';
+import { decodeState, defaultState, encodeState } from '../src/view_state';
 import { Clock, Timeline } from '../src/playback/clock';
 
 const table = (start_ns: bigint, count = 10) =>
@@ -26,6 +27,14 @@ describe('timeline', () => {
     for (let scan = 1; scan < 500; ++scan) expect(line.scanAt(0, (time_s = line.step(time_s, 1)))).toBe(scan);
     for (let scan = 498; scan >= 0; --scan)
       expect(line.scanAt(0, (time_s = line.step(time_s, -1)))).toBe(scan);
+  });
+
+  test('finds the scan of a time that went through an address', () => {
+    const line = new Timeline([table(1_700_000_000_123_456_789n, 5000)]);
+    for (let scan = 0; scan < 5000; ++scan) {
+      const { time_s } = decodeState(`#${encodeState({ ...defaultState(), time_s: line.timeOf(0, scan) })}`);
+      expect(line.scanAt(0, time_s)).toBe(scan);
+    }
   });
 
   test('of runs that overlap is one time', () => {

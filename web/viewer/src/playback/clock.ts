@@ -21,9 +21,12 @@ export class Timeline {
     this.duration_s = Math.max(0, ...tables.map((table, run) => this.offsets[run]! + length(table)));
   }
 
+  // A stamp in an address has six digits behind the point: what was rounded down still names its scan.
+  private static readonly kRounding_s = 1e-6;
+
   /** The scan of `run` at `time_s`; -1 if it has none. */
   scanAt(run: number, time_s: number): number {
-    return indexAt(this.tables[run]!, time_s - this.offsets[run]!);
+    return indexAt(this.tables[run]!, time_s - this.offsets[run]! + Timeline.kRounding_s);
   }
 
   timeOf(run: number, scan: number): number {
