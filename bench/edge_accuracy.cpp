@@ -23,6 +23,7 @@
 #include "berm/ground/terrain_ground.hpp"
 #include "berm/io/label_file.hpp"
 #include "berm/io/recording.hpp"
+#include "berm_height.hpp"
 #include "edge_kerbs.hpp"
 #include "edge_score.hpp"
 
@@ -75,7 +76,7 @@ std::vector<Method> kerb_methods() {
 RoadTruth read_truth(const Recording& recording) {
   RoadTruth truth;
   truth.edges = read_edges(recording.path() / "edges.csv");
-  truth.terrain = read_height_raster(recording.path() / "terrain.asc");
+  truth.terrain = read_true_terrain(recording.path());
   const std::vector<StampedPose> poses = recording.read_truth_poses().value().poses();
   for (std::size_t i = 0; i < poses.size(); i += 50) {
     truth.path_m.push_back(poses[i].T_world_base.translation_m());

@@ -90,7 +90,8 @@ EdgeScore score(const std::vector<WorldEdge>& found, const RoadTruth& truth, std
     near.push_back(nearest.distance_m);
     wrong += nearest.left != (edge.point.side == EdgeSide::left) ? 1U : 0U;
     if (truth.terrain && edge.point.height_m > 0.0F) {
-      if (const std::optional<double> height = true_berm_height_m(*truth.terrain, nearest.place, nearest.along)) {
+      if (const std::optional<double> height =
+              true_berm_height_beside_m(*truth.terrain, nearest.place, nearest.along)) {
         heights.push_back(std::abs(double{edge.point.height_m} - *height));
       }
     }
@@ -116,7 +117,7 @@ void dump(const std::filesystem::path& file, const std::vector<WorldEdge>& found
   for (const WorldEdge& edge : found) {
     const Nearest nearest = nearest_edge(edge.place_m, truth.edges);
     const std::optional<double> height =
-        truth.terrain ? true_berm_height_m(*truth.terrain, nearest.place, nearest.along) : std::nullopt;
+        truth.terrain ? true_berm_height_beside_m(*truth.terrain, nearest.place, nearest.along) : std::nullopt;
     out << fmt::format("{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{},{},{:.3f},{:.3f},{:.3f},{:.3f}\n",
                        edge.place_m.x(), edge.place_m.y(), edge.place_m.z(), nearest.distance_m, edge.point.height_m,
                        edge.point.width_m, edge.point.confidence, edge.point.side == EdgeSide::left ? 1 : 0,

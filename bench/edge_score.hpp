@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,7 +9,7 @@
 
 #include "berm/edge/edge.hpp"
 #include "berm/io/edges_file.hpp"
-#include "berm/io/height_raster.hpp"
+#include "berm/sim/terrain.hpp"
 
 namespace berm::bench {
 
@@ -22,7 +22,7 @@ struct WorldEdge {
 /// What is true of the roads of a recording.
 struct RoadTruth {
   std::vector<Edge> edges;
-  std::optional<HeightRaster> terrain;
+  std::shared_ptr<const sim::Terrain> terrain;
   std::vector<Eigen::Vector3d> path_m;
 };
 

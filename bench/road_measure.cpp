@@ -22,6 +22,7 @@
 #include "berm/io/recording.hpp"
 #include "berm/io/settings.hpp"
 #include "berm/map/reference_edge_map.hpp"
+#include "berm/map/road_survey.hpp"
 #include "berm/sim/scenario.hpp"
 #include "berm/sim/sensor.hpp"
 #include "berm/sim/simulate.hpp"
@@ -38,7 +39,7 @@ constexpr std::uint64_t kSeedStep = 100;
 /// What is true of the road of a recording.
 struct Truth {
   std::vector<EdgeLine> edges;
-  HeightRaster terrain;
+  std::shared_ptr<const sim::Terrain> terrain;
   std::vector<Eigen::Vector3d> path_m;
   double length_m = 0.0;
 };
@@ -52,7 +53,7 @@ Truth read_truth(const Recording& recording) {
     }
     truth.edges.push_back(std::move(line));
   }
-  truth.terrain = read_height_raster(recording.path() / "terrain.asc");
+  truth.terrain = read_true_terrain(recording.path());
   const Stamp last_ns = recording.scan(recording.size() - 1).stamp_ns;
   const Trajectory driven = recording.read_truth_poses().value();
   for (const StampedPose& pose : driven.poses()) {
@@ -116,8 +117,12 @@ class ScanPoses {
 /// One method on its way along a road.
 class Passage {
  public:
-  explicit Passage(const RoadMethod& method)
+  /// `measures_heights`: by a survey along the poses, at another millisecond a scan.
+  Passage(const RoadMethod& method, const Trajectory& poses, bool measures_heights)
       : method_(method), map_(method.settings.map), reference_map_(method.settings.map) {
+    if (measures_heights) {
+      survey_.emplace(RoadConfig{}, poses);
+    }
     if (method.is_reference) {
       detector_ = std::make_unique<RingEdges>(RingEdgesConfig{});
     } else {
@@ -131,11 +136,13 @@ class Passage {
     const double found_ms = cpu_ms();
     ScanPoses scan_poses(poses, scan);
     edges_.clear();
+    surveyed_.clear();
     plain_m_.clear();
     for (const EdgePoint& edge : result.edges) {
       const Eigen::Vector3d place_m(double{edge.x_m}, double{edge.y_m}, double{edge.z_m});
       if (const auto world_m = scan_poses.to_world(place_m, edge.time_s)) {
         edges_.push_back({*world_m, edge.side});
+        surveyed_.push_back({*world_m, edge.height_m, edge.width_m, edge.kind});
         seen_.push_back({*world_m, edge});
       }
     }
@@ -153,6 +160,9 @@ class Passage {
     }
     detect_ms_.push_back(found_ms - start_ms);
     map_ms_.push_back(cpu_ms() - found_ms);
+    if (survey_) {
+      survey(input, scan, result, scan_poses);
+    }
   }
 
   RoadScore judge(const Truth& truth) {
@@ -160,6 +170,9 @@ class Passage {
     const double start_ms = cpu_ms();
     lines_ = extract_lines(method_.is_reference ? reference_map_.edges() : map_, method_.settings.lines);
     score.lines_ms = cpu_ms() - start_ms;
+    if (survey_) {
+      set_berm_heights(survey_->stations(lines_), lines_);
+    }
     score.lines = judge_edges(lines_, truth.edges, truth.path_m, {});
     score.detect_ms = median(detect_ms_);
     score.map_ms = median(map_ms_);
@@ -172,6 +185,26 @@ class Passage {
  private:
   void judge_heights(const Truth& truth, RoadScore& score) const;
 
+  /// What is solid and no plain road is for the berms.
+  void survey(const EdgeInput& input, const Scan& scan, const EdgeResult& result, ScanPoses& poses) {
+    const PointsView& points = input.points;
+    std::vector<bool> is_plain(points.size(), false);
+    for (const std::uint32_t i : result.plain) {
+      is_plain[i] = true;
+    }
+    raised_m_.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Label label = input.labels[i];
+      if (!is_plain[i] && (label == Label::drivable || label == Label::terrain || label == Label::obstacle)) {
+        const Eigen::Vector3d place_m(double{points.x[i]}, double{points.y[i]}, double{points.z[i]});
+        if (const auto world_m = poses.to_world(place_m, points.time.empty() ? 0.0F : points.time[i])) {
+          raised_m_.push_back(*world_m);
+        }
+      }
+    }
+    survey_->add_scan(scan.stamp_ns, surveyed_, plain_m_, raised_m_);
+  }
+
   const RoadMethod& method_;
   std::unique_ptr<EdgeDetector> detector_;
   EdgeMap map_;
@@ -179,46 +212,52 @@ class Passage {
   std::vector<EdgeLine> lines_;
   std::vector<MappedEdge> edges_;
   std::vector<Eigen::Vector3d> plain_m_;
+  std::optional<RoadSurvey> survey_;
+  std::vector<SurveyedEdge> surveyed_;
+  std::vector<Eigen::Vector3d> raised_m_;
   std::vector<Seen> seen_;
   std::vector<double> detect_ms_;
   std::vector<double> map_ms_;
 };
 
-/// At places a metre apart on the true edges: the median of the heights that were seen within a metre.
+/// At places a metre apart on the true edges: what the nearest vertex within a metre says.
 void Passage::judge_heights(const Truth& truth, RoadScore& score) const {
   constexpr double kAround_m = 1.0;
-  VoxelHash<std::vector<std::uint32_t>> cells(kAround_m);
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
-    const Eigen::Vector3d flat_m(seen_[i].place_m.x(), seen_[i].place_m.y(), 0.5);
-    if (seen_[i].point.height_m > 0.0F) {
-      cells.at_or_new(*cells.key_of(flat_m)).push_back(static_cast<std::uint32_t>(i));
+  VoxelHash<std::vector<EdgeLine::Vertex>> cells(kAround_m);
+  const auto flat = [](const Eigen::Vector3d& place_m) { return Eigen::Vector3d(place_m.x(), place_m.y(), 0.5); };
+  for (const EdgeLine& line : lines_) {
+    for (const EdgeLine::Vertex& vertex : line.vertices) {
+      if (vertex.berm_height_m.value_or(0.0) > 0.0) {
+        cells.at_or_new(*cells.key_of(flat(vertex.position_m))).push_back(vertex);
+      }
     }
   }
   std::vector<double> errors_m;
   for (const EdgeLine& edge : truth.edges) {
     double next_m = 0.0;
     for (std::size_t i = 0; i + 1 < edge.vertices.size(); ++i) {
-      const Eigen::Vector2d toe_m = edge.vertices[i].position_m.head<2>();
-      const Eigen::Vector2d along_m = edge.vertices[i + 1].position_m.head<2>() - toe_m;
+      const Eigen::Vector3d toe_m = flat(edge.vertices[i].position_m);
+      const Eigen::Vector2d along_m = (edge.vertices[i + 1].position_m - edge.vertices[i].position_m).head<2>();
       next_m -= along_m.norm();
       if (next_m > 0.0) {
         continue;
       }
       next_m = 1.0;
-      std::vector<double> heights_m;
-      const VoxelKey middle = *cells.key_of({toe_m.x(), toe_m.y(), 0.5});
+      double nearest_m = kAround_m;
+      std::optional<double> height_m;
+      const VoxelKey middle = *cells.key_of(toe_m);
       for (int cell = 0; cell < 9; ++cell) {
         if (const auto* those = cells.find({middle.x + cell % 3 - 1, middle.y + cell / 3 - 1, middle.z})) {
-          for (const std::uint32_t k : *those) {
-            if ((seen_[k].place_m.head<2>() - toe_m).norm() < kAround_m) {
-              heights_m.push_back(double{seen_[k].point.height_m});
-            }
+          for (const EdgeLine::Vertex& vertex : *those) {
+            const double off_m = (flat(vertex.position_m) - toe_m).norm();
+            height_m = off_m < nearest_m ? vertex.berm_height_m : height_m;
+            nearest_m = std::min(nearest_m, off_m);
           }
         }
       }
-      const auto true_m = true_berm_height_m(truth.terrain, toe_m, along_m.normalized());
-      if (true_m && !heights_m.empty()) {
-        errors_m.push_back(std::abs(median(heights_m) - *true_m));
+      const auto true_m = true_berm_height_beside_m(*truth.terrain, toe_m.head<2>(), along_m.normalized());
+      if (true_m && height_m) {
+        errors_m.push_back(std::abs(*height_m - *true_m));
       }
     }
   }
@@ -231,11 +270,12 @@ void Passage::judge_heights(const Truth& truth, RoadScore& score) const {
 void Passage::dump(const std::filesystem::path& folder) const {
   std::filesystem::create_directories(folder);
   std::ofstream lines(folder / "lines.csv");
-  lines << "line,left,x,y,z,confidence\n";
+  lines << "line,left,x,y,z,confidence,berm_height\n";
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     for (const EdgeLine::Vertex& vertex : lines_[i].vertices) {
-      lines << fmt::format("{},{},{:.3f},{:.3f},{:.3f},{:.3f}\n", i, lines_[i].side == EdgeSide::left ? 1 : 0,
-                           vertex.position_m.x(), vertex.position_m.y(), vertex.position_m.z(), vertex.confidence);
+      lines << fmt::format("{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}\n", i, lines_[i].side == EdgeSide::left ? 1 : 0,
+                           vertex.position_m.x(), vertex.position_m.y(), vertex.position_m.z(), vertex.confidence,
+                           vertex.berm_height_m.value_or(-1.0));
     }
   }
   std::ofstream points(folder / "points.csv");
@@ -293,7 +333,7 @@ RoadResult measure_recording(const std::filesystem::path& folder, const std::vec
   std::vector<std::unique_ptr<Passage>> passages;
   passages.reserve(methods.size());
   for (const RoadMethod& method : methods) {
-    passages.push_back(std::make_unique<Passage>(method));
+    passages.push_back(std::make_unique<Passage>(method, poses, passages.empty()));
   }
   TerrainGround ground{TerrainGroundConfig{}};
   std::vector<Label> labels;

@@ -15,7 +15,8 @@ namespace berm::bench {
 /// What a method makes of a road.
 struct RoadScore {
   berm::EdgeScore lines;
-  /// Median error of the height of the berm over places on the true edge that the machine passed.
+  /// Median error of the height of the berm that the lines say, over places a metre apart on the true edge; the first
+  /// method's alone.
   std::optional<double> height_error_m;
   std::size_t heights = 0;
   double detect_ms = 0.0;  ///< CPU time per scan, median

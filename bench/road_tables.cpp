@@ -74,7 +74,7 @@ void print_roads(std::span<const RoadMethod> methods, std::span<const RoadResult
       "of "
       "the path;\nmedian and 95th percentile of the distance to the truth, of those within 0.5 m; share of these on "
       "the "
-      "wrong side. Height:\nmedian error of the berm's, the median of what scans saw within a metre. CPU time a scan "
+      "wrong side. Height:\nmedian error of the berm's at the vertices of the lines. CPU time a scan "
       "on "
       "one core, medians.\n\n");
   fmt::print(

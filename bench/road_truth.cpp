@@ -19,12 +19,12 @@
 #include "berm/edge/trace_edges.hpp"
 #include "berm/ground/terrain_ground.hpp"
 #include "berm/io/edges_file.hpp"
-#include "berm/io/height_raster.hpp"
 #include "berm/io/recording.hpp"
 #include "berm/map/edge_lines.hpp"
 #include "berm/map/edge_map.hpp"
 #include "berm/map/road_survey.hpp"
 #include "berm_height.hpp"
+#include "slope.hpp"
 
 namespace berm::bench {
 namespace {
@@ -32,30 +32,6 @@ namespace {
 /// The window of the grade, and how far the toe of a berm reaches, as the survey has them.
 constexpr double kHalfWindow_m = 5.0;
 constexpr double kToe_m = 0.5;
-constexpr double kBermReach_m = 4.0;
-constexpr double kAlong_m = 0.5;
-constexpr double kRoad_m = 3.0;
-
-/// Slope of heights over the places where they were taken.
-class Slope {
- public:
-  void add(double x, double y) {
-    n_ += 1.0;
-    x_ += x;
-    y_ += y;
-    xx_ += x * x;
-    xy_ += x * y;
-  }
-  [[nodiscard]] double at(double x) const { return (y_ + value() * (n_ * x - x_)) / n_; }
-  [[nodiscard]] double value() const { return (n_ * xy_ - x_ * y_) / (n_ * xx_ - x_ * x_); }
-
- private:
-  double n_ = 0.0;
-  double x_ = 0.0;
-  double y_ = 0.0;
-  double xx_ = 0.0;
-  double xy_ = 0.0;
-};
 
 /// What is true at a station.
 struct StationTruth {
@@ -72,46 +48,14 @@ Eigen::Vector2d across(const RoadStation& station, double left_m) {
          left_m * Eigen::Vector2d(-std::sin(station.heading_rad), std::cos(station.heading_rad));
 }
 
-/// From the toe outward up to where it falls again by a tenth of a metre, above the road at the toe; none on a wall.
-/// The road is the line through what lies inside the toe: on the line of the toe the model is up to 0.1 m above it.
-std::optional<double> crest_m(const HeightRaster& terrain, const RoadStation& station, double along_m, double left_m) {
-  const Eigen::Vector2d ahead(std::cos(station.heading_rad), std::sin(station.heading_rad));
-  const auto z_at = [&](double left) { return height_at(terrain, across(station, left) + along_m * ahead); };
-  Slope road;
-  for (double inside_m = kToe_m; inside_m <= kRoad_m; inside_m += 0.25) {
-    road.add(inside_m, z_at(left_m > 0.0 ? left_m - inside_m : left_m + inside_m));
-  }
-  const double foot = road.at(0.0);
-  double top = z_at(left_m);
-  for (double s = 0.1; s <= kBermReach_m; s += 0.1) {
-    const double z = z_at(left_m + (left_m > 0.0 ? s : -s));
-    if (!(z > top - 0.1)) {
-      return top - foot > 0.2 ? std::optional(top - foot) : std::nullopt;
-    }
-    top = std::max(top, z);
-  }
-  return std::nullopt;
-}
-
-/// Median of the crest over the metre to both sides that the survey looks at.
-std::optional<double> true_berm_m(const HeightRaster& terrain, const RoadStation& station, double left_m) {
-  std::vector<double> crests_m;
-  constexpr int kProfiles = 4;
-  for (int i = -kProfiles; i <= kProfiles; ++i) {
-    if (const auto crest = crest_m(terrain, station, kAlong_m * i / kProfiles, left_m)) {
-      crests_m.push_back(*crest);
-    }
-  }
-  if (crests_m.size() <= kProfiles) {
-    return std::nullopt;
-  }
-  const auto middle = crests_m.begin() + static_cast<std::ptrdiff_t>(crests_m.size() / 2);
-  std::nth_element(crests_m.begin(), middle, crests_m.end());
-  return *middle;
+/// Of the berm `left_m` of the path.
+std::optional<double> true_berm_m(const sim::Terrain& terrain, const RoadStation& station, double left_m) {
+  const Eigen::Vector2d toe_m = across(station, left_m);
+  return true_berm_height_m(terrain, toe_m, (toe_m - station.position_m.head<2>()).normalized());
 }
 
 /// `with_true_edges`: the same survey with the true edges for lines; `around`: stations of the same piece nearby.
-StationTruth true_station(const HeightRaster& terrain, const std::vector<RoadStation>& with_true_edges, std::size_t i) {
+StationTruth true_station(const sim::Terrain& terrain, const std::vector<RoadStation>& with_true_edges, std::size_t i) {
   const RoadStation& station = with_true_edges[i];
   StationTruth truth;
   Slope grade;
@@ -323,14 +267,14 @@ void run(const std::vector<std::string>& folders, const RoadConfig& config, bool
   std::string dump;
   for (const std::string& folder : folders) {
     const Recording recording = Recording::open(folder);
-    const HeightRaster terrain = read_height_raster(recording.path() / "terrain.asc");
+    const auto terrain = read_true_terrain(recording.path());
     const std::vector<EdgeLine> true_lines = as_lines(read_edges(recording.path() / "edges.csv"));
     Drive drive(recording, config, with_raised);
     drive.run();
     const auto stations = drive.survey().stations(extract_lines(drive.map(), {}));
     const auto with_true_edges = drive.survey().stations(true_lines);
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      const StationTruth truth = true_station(terrain, with_true_edges, i);
+      const StationTruth truth = true_station(*terrain, with_true_edges, i);
       table.add(stations[i], truth);
       dump += dumped(recording.path().filename().string(), stations[i], truth);
     }
