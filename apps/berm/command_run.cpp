@@ -37,6 +37,7 @@ struct RunCommand {
   std::string recording;
   RunOptions options;
   std::size_t count = 0;
+  bool map_surface = false;
 };
 
 double percent(std::uint64_t part, std::uint64_t whole) {
@@ -87,6 +88,7 @@ int execute(RunCommand& command) {
   const Recording recording = Recording::open(command.recording);
   command.options.notes = adopt_sheet(chosen.machine, recording.sheet(), chosen.pinned);
   command.options.machine_file = chosen.file;
+  chosen.machine.mapping.surface = chosen.machine.mapping.surface || command.map_surface;
   catch_signals();
   const RunSummary summary = [&] {
     ProgressBar bar(command.console.is_quiet());
@@ -122,6 +124,10 @@ void add_run(CLI::App& app, int& exit_code) {
                   "Poses of the machine instead of those of the recording: .tum, .csv, .nmea, or KITTI's poses.txt")
       ->type_name("FILE");
   sub->add_option("--map", options.map, "Map of the road edges, edges.ot of an earlier run, that this one continues")
+      ->type_name("FILE");
+  sub->add_flag("--map-surface", command->map_surface, "Map the surface: out/map, map.pcd, elevation (mapping.surface)");
+  sub->add_option("--terrain", options.terrain,
+                  "Elevation model of the ground without snow (GeoTIFF or ESRI ASCII grid), to measure snow depth from")
       ->type_name("FILE");
   command->console.add_options(*sub);
   sub->callback([command, count, &exit_code] {

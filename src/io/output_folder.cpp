@@ -162,6 +162,10 @@ void OutputFolder::remove_old_results() const {
 void OutputFolder::create_folders() const {
   std::error_code code;
   for (const OutputResults::Folder& folder : results_.folders) {
+    if (folder.on_demand) {
+      fs::remove(folder_ / folder.name, code);  // where it is empty
+      continue;
+    }
     fs::create_directory(folder_ / folder.name, code);
     if (code) {
       fail_with(folder_ / folder.name, "cannot be created", code);
@@ -179,7 +183,8 @@ OutputFolder::~OutputFolder() {
   // Only empty folders are removed this way.
   bool nothing_written = true;
   for (const OutputResults::Folder& folder : results_.folders) {
-    nothing_written = fs::remove(folder_ / folder.name, code) && nothing_written;
+    const bool is_gone = fs::remove(folder_ / folder.name, code) || !fs::exists(folder_ / folder.name, code);
+    nothing_written = is_gone && nothing_written;
   }
   if (nothing_written) {
     fs::remove(folder_ / kMarker, code);

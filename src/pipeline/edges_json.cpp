@@ -77,6 +77,22 @@ Json to_json(const PoseFigures& poses) {
   return json;
 }
 
+Json to_json(const SurfaceCounts& surface) {
+  Json json = {{"scans_mapped", surface.mapped},
+               {"scans_not_mapped", by_reason(surface.not_mapped)},
+               {"points", surface.points},
+               {"points_left_out", surface.left_out},
+               {"voxels", surface.voxels},
+               {"voxels_moved", surface.moved},
+               {"tiles", surface.tiles},
+               {"origin_m", surface.origin_m},
+               {"elevation_cells", surface.elevation_cells}};
+  if (surface.median_depth_m) {
+    json["snow_depth"] = {{"cells", surface.depth_cells}, {"median_m", thousandths(*surface.median_depth_m)}};
+  }
+  return json;
+}
+
 Json to_json(const EdgeCounts& edges) {
   Json json = {{"points", edges.points}};
   if (!edges.has_map) {

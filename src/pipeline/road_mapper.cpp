@@ -1,38 +1,12 @@
 #include "road_mapper.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "scan_placing.hpp"
+
 namespace berm {
 namespace {
-
-/// Earliest and latest time of a scan's points since its stamp; both 0 where they have none.
-struct TimeSpan {
-  double first_s = 0.0;
-  double last_s = 0.0;
-};
-
-TimeSpan span_of(std::span<const float> times_s) {
-  std::optional<TimeSpan> span;
-  for (const float time_s : times_s) {
-    if (std::isfinite(time_s)) {
-      const auto t = double{time_s};
-      span = span ? TimeSpan{std::min(span->first_s, t), std::max(span->last_s, t)} : TimeSpan{t, t};
-    }
-  }
-  return span.value_or(TimeSpan{});
-}
-
-/// Scans that end later, or at the end of time, have no pose.
-std::optional<Stamp> stamp_at(Stamp stamp_ns, double time_s) {
-  constexpr double kLongest_s = 1e6;
-  Stamp result = 0;
-  if (std::abs(time_s) > kLongest_s || __builtin_add_overflow(stamp_ns, from_seconds(time_s), &result)) {
-    return std::nullopt;
-  }
-  return result;
-}
 
 bool is_solid(Label label) {
   return label == Label::drivable || label == Label::terrain || label == Label::obstacle;
@@ -66,19 +40,13 @@ void RoadMapper::place(const Scan& scan, std::span<const Label> labels, const Ed
   placed.plain_m.clear();
   placed.raised_m.clear();
   const PointsView points = scan.cloud.view();
-  const TimeSpan span = span_of(points.time);
-  const auto first_ns = stamp_at(scan.stamp_ns, span.first_s);
-  const auto last_ns = stamp_at(scan.stamp_ns, span.last_s);
-  placed.trust = first_ns && last_ns ? guard_.over(*first_ns, *last_ns) : PoseTrust::no_pose;
+  double first_s = 0.0;
+  placed.trust = place_scan(scan, trajectory_, guard_, placed.motion, first_s);
   if (placed.trust != PoseTrust::trusted) {
     return;
   }
-  if (!placed.motion.set(trajectory_, scan.T_base_sensor, *first_ns, *last_ns)) {
-    placed.trust = PoseTrust::no_pose;
-    return;
-  }
   const auto to_world_m = [&](float x_m, float y_m, float z_m, float time_s) {
-    return placed.motion.to_world_m({double{x_m}, double{y_m}, double{z_m}}, double{time_s} - span.first_s);
+    return placed.motion.to_world_m({double{x_m}, double{y_m}, double{z_m}}, double{time_s} - first_s);
   };
   for (const EdgePoint& edge : found.edges) {
     if (!std::isfinite(edge.time_s)) {

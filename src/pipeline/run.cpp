@@ -21,6 +21,7 @@
 #include "berm/pipeline/pipeline.hpp"
 #include "run_edges.hpp"
 #include "run_report.hpp"
+#include "run_surface.hpp"
 #include "scan_table.hpp"
 #include "stage_times.hpp"
 #include "times_table.hpp"
@@ -40,11 +41,13 @@ struct Job {
   std::vector<BoundaryPoint> right;
   std::vector<EdgePoint> edges;
   PlacedScan placed;
+  PlacedSurface surface;
   MountCheckResult mount;
   std::optional<std::string> failure;
   StageTime read;
   std::array<std::optional<StageTime>, kStages> stages;
   StageTime map;
+  StageTime surface_time;
 };
 
 double to_degrees(double angle_rad) {
@@ -69,7 +72,8 @@ class Run {
         options_(options),
         threads_(std::max<std::size_t>(1, options.threads)),
         T_base_sensor_(machine.mount.T_base_sensor()),
-        edges_(recording, machine, options, selected_count(recording, options)) {
+        edges_(recording, machine, options, selected_count(recording, options)),
+        surface_(machine, options, edges_.poses() ? &*edges_.poses() : nullptr) {
     summary_.counts.selected = selected_count(recording, options);
     summary_.notes = recording.notes();
     summary_.notes.insert(summary_.notes.end(), options.notes.begin(), options.notes.end());
@@ -85,6 +89,9 @@ class Run {
     const StageClock clock;
     open_tables(output);
     const Tables tables{*this};
+    if (surface_.is_on()) {
+      surface_.open(output);
+    }
     process_scans();
     if (summary_.interrupted) {
       return std::move(summary_);
@@ -136,6 +143,7 @@ class Run {
       note_missing_poses();
     }
     edges_.finish(output, files, summary_);
+    surface_.finish(output, files, summary_);
     scan_table_->commit();
     times_table_->commit();
     if (boundary_table_) {
@@ -186,6 +194,11 @@ class Run {
       edges_.place(job.scan, result.labels, result.edge, job.placed);
       job.map = map_clock.stop();
     }
+    if (surface_.is_on()) {
+      const StageClock surface_clock;
+      surface_.place(job.scan, result.labels, job.surface);
+      job.surface_time = surface_clock.stop();
+    }
   }
 
   /// Runs on the calling thread, scan after scan.
@@ -206,6 +219,7 @@ class Run {
       const StageTime write = clock.stop();
       add_times(name, job.scan.stamp_ns,
                 {.read = job.read, .stages = job.stages, .map = add_to_map(job), .write = write});
+      add_to_surface(job);
       count(job);
       mount_.add(job.mount);
       add_pose(job.scan.stamp_ns);
@@ -252,6 +266,15 @@ class Run {
     edges_.add(job.placed);
     const StageTime time = clock.stop();
     return StageTime{job.map.wall_ms + time.wall_ms, job.map.cpu_ms + time.cpu_ms};
+  }
+
+  void add_to_surface(const Job& job) {
+    if (surface_.is_on()) {
+      const StageClock clock;
+      surface_.add(job.surface);
+      const StageTime time = clock.stop();
+      times_.surface.add({job.surface_time.wall_ms + time.wall_ms, job.surface_time.cpu_ms + time.cpu_ms});
+    }
   }
 
   void add_times(const std::string& name, Stamp stamp_ns, const ScanTimes& times) {
@@ -319,6 +342,7 @@ class Run {
   std::size_t threads_;
   Pose T_base_sensor_;
   RunEdges edges_;
+  RunSurface surface_;
   std::vector<std::unique_ptr<Pipeline>> pipelines_;
   OutputFolder* output_ = nullptr;
   std::optional<ScanTable> scan_table_;

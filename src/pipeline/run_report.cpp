@@ -82,6 +82,9 @@ Json describe(const RunTimes& times) {
   if (times.map.count() > 0) {
     json["map"] = describe(times.map);
   }
+  if (times.surface.count() > 0) {
+    json["surface"] = describe(times.surface);
+  }
   json["write"] = describe(times.write);
   return json;
 }
@@ -115,8 +118,9 @@ OutputResults run_results() {
           "run.json",
           std::string("\"schema\": \"") + kRunSchemaName,
           {"trajectory.tum", "scans.csv", "times.csv", "report.html", "boundary.csv", "edge_points.csv", "edges.ot",
-           "edges.csv", "edges.geojson", "edges.gpkg", "edges.dxf", "road.csv"},
-          {{"labels", ".label"}}};
+           "edges.csv", "edges.geojson", "edges.gpkg", "edges.dxf", "road.csv", "map.pcd", "elevation.tif", "elevation.asc", "elevation_slope.asc",
+           "elevation_sigma.asc", "elevation_count.asc", "elevation_depth.asc"},
+          {{"labels", ".label"}, {"map", ".pcd", true}, {"map", ".json", true}}};
 }
 
 std::string write_run_report(const Recording& recording, const Machine& machine, const RunOptions& options,
@@ -141,6 +145,9 @@ std::string write_run_report(const Recording& recording, const Machine& machine,
   }
   if (summary.edges) {
     report["edges"] = to_json(*summary.edges);
+  }
+  if (summary.surface) {
+    report["surface"] = to_json(*summary.surface);
   }
   report["mount"] = describe(summary.mount);
   report["skipped"] = describe(summary.skipped);

@@ -23,6 +23,7 @@ struct RunTimes {
   StageTimes read;
   std::array<StageTimes, kStages> stages;  ///< nothing in those that the machine leaves out
   StageTimes map;                          ///< nothing without a map
+  StageTimes surface;                      ///< nothing without a map of the surface
   StageTimes write;
   double wall_s = 0.0;
 };

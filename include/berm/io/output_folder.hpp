@@ -9,8 +9,9 @@ namespace berm {
 /// What a command writes into its folder, so that the results of an earlier call can be told from other files.
 struct OutputResults {
   struct Folder {
-    std::string name;       ///< "labels"
-    std::string extension;  ///< of the results in it: ".label"
+    std::string name;        ///< "labels"
+    std::string extension;   ///< of the results in it: ".label"
+    bool on_demand = false;  ///< made by who writes into it, where there is something to write
   };
 
   std::string work;       ///< what fills the folder, for messages: "run"

@@ -18,6 +18,7 @@
 #include "berm/map/edge_lines.hpp"
 #include "berm/map/edge_map.hpp"
 #include "berm/map/road_survey.hpp"
+#include "berm/map/surface_tiles.hpp"
 #include "berm/piste/boundary_piste.hpp"
 #include "berm/piste/envelope_piste.hpp"
 #include "berm/snow/box_snow.hpp"
@@ -86,6 +87,7 @@ struct Machine {
   EdgeMapConfig map;
   EdgeLinesConfig lines;
   RoadConfig road;
+  SurfaceMapConfig mapping;
   PoseLogConfig poses;
   GnssMountConfig gnss;
   PoseGuardConfig pose_guard;
@@ -107,6 +109,7 @@ struct Machine {
     section("map", &Machine::map);
     section("lines", &Machine::lines);
     section("road", &Machine::road);
+    section("mapping", &Machine::mapping);
     section("poses", &Machine::poses);
     section("gnss", &Machine::gnss);
     section("pose_guard", &Machine::pose_guard);

@@ -33,6 +33,7 @@ struct RunOptions {
   std::vector<std::string> notes;      ///< to be kept in run.json beside those of the run
   std::filesystem::path poses;         ///< beats the poses of the recording; see `recognise_pose_file`
   std::filesystem::path map;           ///< edges.ot of an earlier run, which the map of this one continues
+  std::filesystem::path terrain;       ///< beats mapping.terrain of the machine
 
   /// Called on the calling thread after every scan with the number of scans done and their total.
   std::function<void(std::size_t, std::size_t)> on_progress;
@@ -97,10 +98,26 @@ struct EdgeCounts {
   RoadCounts road;
 };
 
+/// The map of the surface.
+struct SurfaceCounts {
+  std::size_t mapped = 0;                             ///< scans that went into it
+  std::array<std::size_t, kPoseTrusts> not_mapped{};  ///< scans that did not, by PoseTrust
+  std::uint64_t points = 0;                           ///< that were mapped
+  std::uint64_t left_out = 0;                         ///< points without a time, or too far out
+  std::uint64_t voxels = 0;                           ///< points of map.pcd
+  std::uint64_t moved = 0;                            ///< voxels that were taken out, since they were looked through
+  std::size_t tiles = 0;
+  std::array<double, 3> origin_m{};      ///< of the coordinates in map and map.pcd, in the world frame
+  std::uint64_t elevation_cells = 0;     ///< with ground
+  std::uint64_t depth_cells = 0;         ///< with a snow depth
+  std::optional<double> median_depth_m;  ///< of the snow
+};
+
 struct RunSummary {
   RunCounts counts;
   std::optional<PoseFigures> poses;
   std::optional<EdgeCounts> edges;   ///< with an edge method
+  std::optional<SurfaceCounts> surface;  ///< where one was made
   std::vector<SkippedScan> skipped;  ///< the first `kListedSkips`
   std::vector<std::string> notes;
   MountSummary mount;
