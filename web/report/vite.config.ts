@@ -50,6 +50,6 @@ export default defineConfig({
     sourcemap: false,
     target: 'es2022',
     modulePreload: false,
-    rolldownOptions: { input: resolve(import.meta.dirname, 'report.html') },
+    rollupOptions: { input: resolve(import.meta.dirname, 'report.html') },
   },
 });

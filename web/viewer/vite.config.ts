@@ -13,7 +13,7 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     assetsInlineLimit: 0, // the page may load nothing but its own files: no data: addresses
     chunkSizeWarningLimit: 1200,
-    rolldownOptions: {
+    rollupOptions: {
       output: {
         entryFileNames: 'viewer.js',
         chunkFileNames: '[name].js',
