@@ -200,3 +200,12 @@ export function before(table: Table | undefined, column: string, x: number): num
   }
   return values[low - 1] ?? null;
 }
+
+/** Sums from below, so that each area ends where the next begins. */
+export function stack(columns: readonly Numbers[]): Numbers[] {
+  let below: Numbers = [];
+  return columns.map((column) => {
+    below = column.map((value, i) => (value === null ? null : value + (below[i] ?? 0)));
+    return below;
+  });
+}

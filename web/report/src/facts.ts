@@ -98,7 +98,7 @@ export function machineFacts(report: Report): HTMLElement[] {
           ? Object.entries(values).map(([key, value]) => [`${section}.${key}`, plain(value)])
           : [],
       );
-      return scrolled('Settings', table('Settings', ['key', 'value'], rows));
+      return scrolled('Settings', table('Settings', ['key', 'value'], rows), true);
     }),
   ];
 }

@@ -242,7 +242,7 @@ function ruleTable(report: Report, road: Table): HTMLElement[] {
         ),
       ),
       broken.length > 0
-        ? folded(places, () => scrolled(places, table(places, ['rule', 'chainage, m'], broken)))
+        ? folded(places, () => scrolled(places, table(places, ['rule', 'chainage, m'], broken), true))
         : null,
     ),
   ];

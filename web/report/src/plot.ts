@@ -1,7 +1,7 @@
 import './sharp';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import { spread, type Numbers } from './data';
+import { spread, stack, type Numbers } from './data';
 import { h } from './dom';
 import { rounded } from './format';
 import { dataTable } from './tables';
@@ -41,21 +41,12 @@ const kHeight = 230;
 const kStripHeight = 7;
 const kLeast = 1e-3; // of a logarithmic axis
 
-/** Sums from below, so that each area ends where the next begins. */
-export function stack(lines: readonly Line[]): Numbers[] {
-  let below: Numbers = [];
-  return lines.map((line) => {
-    below = line.values.map((value, i) => (value === null ? null : value + (below[i] ?? 0)));
-    return below;
-  });
-}
-
 const plus = (values: Numbers, sigma: Numbers, sign: number): Numbers =>
   values.map((value, i) => (value === null || sigma[i] == null ? null : value + sign * sigma[i]));
 
 /** Columns in the order of the series; sigma as two columns without a line of their own, behind all lines. */
 function columnsOf(plot: Plot): Numbers[] {
-  if (plot.stacked) return stack(plot.lines).reverse();
+  if (plot.stacked) return stack(plot.lines.map((line) => line.values)).reverse();
   const lines = plot.lines.map((line) =>
     plot.logarithmic
       ? line.values.map((value) => (value === null ? null : Math.max(value, kLeast)))
@@ -138,7 +129,7 @@ function drawStrips(u: uPlot, plot: Plot): void {
       const begin = u.valToPos(plot.x[i]!, 'x', true);
       const end = u.valToPos(plot.x[i + 1] ?? plot.x[i]!, 'x', true);
       const part = state === 2 ? height : height / 3;
-      ctx.fillRect(begin, top + height - part, Math.max(end - begin, uPlot.pxRatio), part);
+      ctx.fillRect(begin, top + height - part, Math.max(end - begin, 0) + uPlot.pxRatio, part);
     });
   });
   ctx.restore();
@@ -268,7 +259,7 @@ export function plotFigure(plot: Plot): HTMLElement {
     {},
     h('figcaption', {}, h('strong', {}, plot.title), plot.note ? ` ${plot.note}` : null),
     place,
-    keys,
+    plot.lines.length > 1 || plot.stacked ? keys : null,
     values,
     dataTable(plot),
   );

@@ -6,8 +6,12 @@ import type { Plot } from './plot';
 const kRows = 60;
 
 /** A table that scrolls by itself, so that the page never does sideways; reached and scrolled by keyboard. */
-export function scrolled(label: string, table: HTMLElement): HTMLElement {
-  return h('div', { class: 'scrolled', role: 'region', tabindex: '0', 'aria-label': label }, table);
+export function scrolled(label: string, table: HTMLElement, prose = false): HTMLElement {
+  return h(
+    'div',
+    { class: prose ? 'scrolled prose' : 'scrolled', role: 'region', tabindex: '0', 'aria-label': label },
+    table,
+  );
 }
 
 export function table(caption: string, head: string[], rows: string[][], hidden = true): HTMLElement {

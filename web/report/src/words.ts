@@ -165,16 +165,36 @@ function mount(report: Report): Warning[] {
 }
 
 function rules(report: Report): Warning[] {
-  return rulesOf(report)
-    .filter((rule) => rule.broken > 0)
-    .map((rule) => {
-      const all = rule.holds + rule.uncertain + rule.broken + rule.unknown;
-      return {
-        level: 'bad' as const,
-        title: `The rule for the ${rule.name} is broken at ${fixed(rule.broken)} of ${count(all, 'station')}`,
-        details: [],
-      };
+  const broken = rulesOf(report).filter((rule) => rule.broken > 0);
+  if (broken.length === 0) return [];
+  const details = broken.map((rule) => {
+    const all = rule.holds + rule.uncertain + rule.broken + rule.unknown;
+    return `${rule.name}: at ${fixed(rule.broken)} of ${count(all, 'station')}, ${percent(rule.broken / all, 0)}`;
+  });
+  return [{ level: 'bad', title: 'Rules of the road are broken, by two standard deviations', details }];
+}
+
+function odometry(report: Report): Warning[] {
+  const scans = num(report.run, ['odometry', 'scans']);
+  const lost = num(report.run, ['odometry', 'health', 'lost']);
+  const weak = num(report.run, ['odometry', 'health', 'weak']);
+  const found: Warning[] = [];
+  if (lost > 0) {
+    found.push({
+      level: 'bad',
+      title: `The odometry was lost for ${fixed(lost)} of ${count(scans, 'scan')}: their poses are guessed`,
+      details: [],
     });
+  }
+  if (weak > 0) {
+    const title = `In ${fixed(weak)} of ${count(scans, 'scan')} the surroundings fix the odometry weakly`;
+    found.push({
+      level: 'note',
+      title: `${title}: in some direction the motion before decides`,
+      details: [],
+    });
+  }
+  return found;
 }
 
 function speed(report: Report): Warning[] {
@@ -196,6 +216,7 @@ export function warningsOf(report: Report): Warning[] {
     ...losses(report),
     ...mount(report),
     ...poses(report),
+    ...odometry(report),
     ...rules(report),
     ...speed(report),
     ...list(report.run, 'notes').map((note) => ({

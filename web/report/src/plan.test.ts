@@ -1,0 +1,33 @@
+import { describe, expect, it } from 'vitest';
+import { readReport } from './data';
+import { piecesOf, roundLength } from './plan';
+
+describe('the plan', () => {
+  const path = {
+    poses: 4,
+    path_m: 3,
+    t_s: [0, 1, 2, 3],
+    x_m: [0, 1, 2, 3],
+    y_m: [0, 0, 0, 0],
+    z_m: [0, 0, 0, 0],
+  };
+  const read = (parts: object) =>
+    readReport(JSON.stringify({ schema: 'berm.report/1', trajectory: path, ...parts }));
+
+  it('is one line without odometry', () => {
+    const report = read({});
+    expect(piecesOf(report.trajectory!, report).map((piece) => piece.style)).toEqual(['path']);
+  });
+
+  it('changes where the health does, and the pieces touch', () => {
+    const report = read({ odometry: { rows: 4, x: [0, 1, 2, 3], columns: { health: [0, 0, 3, 3] } } });
+    const pieces = piecesOf(report.trajectory!, report);
+    expect(pieces.map((piece) => piece.style)).toEqual(['path good', 'path lost']);
+    expect(pieces[1]!.x[0]).toBe(pieces[0]!.x.at(-1));
+    expect(pieces[1]!.x.at(-1)).toBe(3);
+  });
+
+  it('has a bar of a round length', () => {
+    expect([0.7, 1, 19, 20, 99, 501].map(roundLength)).toEqual([0.5, 1, 10, 20, 50, 500]);
+  });
+});
