@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# usage: scripts/setup.sh [--dev] [--list]
+# usage: scripts/setup.sh [--dev] [--browser] [--list]
 #
 # Installs what is missing to build and test berm, with apt-get, on Debian 12 and Ubuntu 22.04 / 24.04.
 # What is there already is left alone: a second call does nothing and needs no network.
 #
-#   --dev    also the tools of lint, fuzz and coverage, and those that tests read exports back with
-#   --list   only print what would be installed
+#   --dev      also the tools of lint, fuzz and coverage, and those that tests read exports back with
+#   --browser  also Node and Chromium, in which the pages of viewer and report are tried; not Chromium on Ubuntu, which
+#              has no package of it
+#   --list     only print what would be installed
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -20,9 +22,11 @@ dev_packages=(gcovr shellcheck python3 gdal-bin libxml2-utils)
 
 list_only=false
 dev=false
+browser=false
 for argument in "$@"; do
   case "$argument" in
     --dev) dev=true ;;
+    --browser) browser=true ;;
     --list) list_only=true ;;
     -h | --help) print_help && exit 0 ;;
     *) wrong_usage "unknown argument $argument" ;;
@@ -62,6 +66,14 @@ packages+=("$(geographiclib_package)")
 if $dev; then
   clang="$(clang_version)"
   packages+=("${dev_packages[@]}" "clang-$clang" "clang-format-$clang" "clang-tidy-$clang" "libclang-rt-$clang-dev")
+fi
+
+# What is there under another name or from elsewhere is as good. On Ubuntu the package of Chromium installs nothing.
+if $browser; then
+  find_tool npm >/dev/null || packages+=(nodejs npm)
+  if ! find_tool chromium chromium-browser google-chrome >/dev/null && grep -q '^ID=debian' /etc/os-release; then
+    packages+=(chromium)
+  fi
 fi
 
 missing=()

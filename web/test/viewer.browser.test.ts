@@ -3,6 +3,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { decodePoses, hasPose } from '../viewer/src/data/poses';
+import { anchorOf, kWorld, toAnchor } from '../viewer/src/scene/rig';
+import { poseMatrix } from '../viewer/src/scene/run_view';
+import { decodeState } from '../viewer/src/view_state';
 import { findBerm, findData, runBerm, startView, type View } from './berm_program';
 import { collectComplaints, findChromium, launchChromium } from './browser';
 import { startMock } from './mock_server';
@@ -104,6 +108,8 @@ function checkRun(start: () => Promise<string>, scans: number, ground_m: number)
 
   test('measures a distance that is known from the camera', async () => {
     const distance_m = 30;
+    const table = decodePoses(await (await fetch(`${url}api/runs/0/scans`)).arrayBuffer());
+    const machine = hasPose(table, 0) ? anchorOf(poseMatrix(table, 0)) : kWorld;
     const { page, complaints } = await open(
       url,
       `#camera=top&view=${ground_m},0,0,${distance_m},180,89.9&tool=distance&trail=5&hide=falling_snow`,
@@ -116,11 +122,20 @@ function checkRun(start: () => Promise<string>, scans: number, ground_m: number)
     await page.waitForFunction(() => document.querySelector('.hud-hint')?.textContent?.includes('second'));
     await page.mouse.click(x, y - pixels);
     await page.locator('[data-test=measurement]').waitFor({ state: 'visible' });
+    await page.waitForFunction(() => location.hash.includes(';'));
+    const marks = decodeState(new URL(page.url()).hash).marks.map((mark) => toAnchor(mark, machine));
+    // A pinhole straight above looks down; what is to the front of the machine is up on the screen.
+    const focal_px = box.height / 2 / Math.tan((25 * Math.PI) / 180);
+    marks.forEach(([forward, left, up], k) => {
+      const scale = focal_px / (distance_m - up);
+      expect(Math.abs(left * scale)).toBeLessThan(12);
+      expect(Math.abs((forward - ground_m) * scale - (k - 0.5) * pixels)).toBeLessThan(12);
+    });
     const text = (await page.locator('[data-test=measurement]').textContent()) ?? '';
-    const measured = Number(/across ([\d.]+) m/.exec(text)?.[1]);
-    const metresPerPixel = (2 * distance_m * Math.tan((25 * Math.PI) / 180)) / box.height;
-    // A click finds a point up to 10 pixels off, at both ends.
-    expect(Math.abs(measured - pixels * metresPerPixel)).toBeLessThan(20 * metresPerPixel);
+    const [a, b] = marks;
+    const apart_m = Math.hypot(b![0] - a![0], b![1] - a![1], b![2] - a![2]);
+    expect(Math.abs(Number(/^([\d.]+) m/.exec(text)?.[1]) - apart_m)).toBeLessThan(0.01);
+    expect(apart_m).toBeGreaterThan(5);
     expect(complaints).toEqual([]);
     await page.close();
   });
