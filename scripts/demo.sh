@@ -52,13 +52,14 @@ if [ $# -gt 0 ]; then
   accept_losses "$berm" info "$1"
   say "Labelling it"
   process "$1" "${MACHINE:-car}" "$out"
-  say "Results in $out: labels/, run.json, scan.png"
+  say "Results in $out: report.html (open it in a browser), labels/, run.json, scan.png"
 else
   simulate_and_process groomer_snowfall groomer
   simulate_and_process haul_road haul_truck
   say "Results in $out"
   printf '  %s\n' \
     "groomer_snowfall.png, haul_road.png               the simulated worlds" \
+    "groomer_snowfall-run/report.html, haul_road-...   a page about each run: open it in a browser" \
     "groomer_snowfall-run/scan.png, haul_road-run/...  what berm says of a scan" \
     "groomer_snowfall-run/labels/, run.json            labels point by point, counts and times" \
     "groomer_snowfall/, haul_road/                     the recordings with their truth"

@@ -14,6 +14,7 @@
 #include "console.hpp"
 #include "exit_code.hpp"
 #include "machine_option.hpp"
+#include "make_report.hpp"
 #include "progress_bar.hpp"
 #include "signals.hpp"
 
@@ -27,7 +28,8 @@ constexpr const char* kExamples = R"(Examples:
   berm run recording -m haul_truck -o out --poses ins.nmea --map yesterday/edges.ot
 
 Writes out/labels/NAME.label for every scan, out/scans.csv with a line for each, out/boundary.csv with a piste method,
-out/edge_points.csv with an edge method, out/trajectory.tum if there are poses, and out/run.json last. With an edge
+out/edge_points.csv with an edge method, out/trajectory.tum if there are poses, and out/run.json last; then the page
+out/report.html, which shows all this. With an edge
 method and poses also the map of the road edges, out/edges.ot, and its lines, out/edges.csv, .geojson, .gpkg, .dxf.
 Ends with 0 if everything was done, 3 if scans were skipped (run.json says which and why), 1 if it failed, 2 for wrong usage.)";
 
@@ -82,6 +84,15 @@ int report(const RunSummary& summary, const RunOptions& options) {
   return kWhole;
 }
 
+/// The page about the run. The results stand without it.
+void show(const Recording& recording, const RunOptions& options) {
+  try {
+    static_cast<void>(make_report(options.output, &recording));
+  } catch (const Error& error) {
+    spdlog::warn("no report was written: {}", error.what());
+  }
+}
+
 int execute(RunCommand& command) {
   command.console.start();
   ChosenMachine chosen = command.machine.choose();
@@ -96,6 +107,9 @@ int execute(RunCommand& command) {
     command.options.should_stop = [] { return received_signal() != 0; };
     return run(recording, chosen.machine, command.options);
   }();
+  if (!summary.interrupted) {
+    show(recording, command.options);
+  }
   return report(summary, command.options);
 }
 

@@ -138,6 +138,16 @@ class Collector {
 
 }  // namespace
 
+std::filesystem::path recording_of(const std::filesystem::path& run_folder) {
+  const Json run = read_run_file(run_folder / "run.json");
+  const auto recording = run.find("recording");
+  if (recording == run.end() || !recording->is_object() || !recording->contains("path") ||
+      !recording->at("path").is_string()) {
+    return {};
+  }
+  return recording->at("path").get<std::string>();
+}
+
 std::string report_data(const std::filesystem::path& run_folder, std::string_view evaluation) {
   // Names of files may hold any bytes; what is no UTF-8 is replaced.
   return Collector(run_folder).collect(evaluation).dump(-1, ' ', true, Json::error_handler_t::replace);

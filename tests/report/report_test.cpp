@@ -44,6 +44,7 @@ TEST_F(ReportTest, WhatTheRunDidNotWriteIsLeftOut) {
     EXPECT_FALSE(bare.contains(part)) << part;
   }
   EXPECT_TRUE(bare["trouble"].empty());
+  EXPECT_EQ(recording_of(out_.path()), "drive");
 }
 
 TEST_F(ReportTest, TakesWhatIsThere) {

@@ -13,6 +13,9 @@ namespace berm {
 /// Throws FileError if `run_folder` has no run.json, or one that is not of berm.
 [[nodiscard]] std::string report_data(const std::filesystem::path& run_folder, std::string_view evaluation = {});
 
+/// Where the recording of a run was, as run.json says. Throws as `report_data`.
+[[nodiscard]] std::filesystem::path recording_of(const std::filesystem::path& run_folder);
+
 /// The page: `page` with `json` in the place that it has for it. Nothing in `json` ends that place or becomes markup.
 /// Throws Error(malformed) if `page` has no such place.
 [[nodiscard]] std::string fill_report(std::string_view page, std::string_view json);
