@@ -53,7 +53,7 @@ class GeotiffReader {
     if (!dataset_) {
       refuse(ErrorCode::malformed, "this is no GeoTIFF that can be read: " + quiet_.complaint());
     }
-    if (dataset_->GetRasterCount() != 1) {
+    if (dataset_->GetRasterCount() != 1 && !has_named_heights()) {
       refuse(ErrorCode::unsupported,
              fmt::format("holds {} bands, expected one of heights; take it out with gdal_translate -b",
                          dataset_->GetRasterCount()));
@@ -61,6 +61,11 @@ class GeotiffReader {
     if (GDALDataTypeIsComplex(dataset_->GetRasterBand(1)->GetRasterDataType()) != 0) {
       refuse(ErrorCode::unsupported, "holds complex numbers, expected heights");
     }
+  }
+
+  /// As the rasters of berm have them.
+  [[nodiscard]] bool has_named_heights() const {
+    return dataset_->GetRasterCount() > 1 && dataset_->GetRasterBand(1)->GetDescription() == std::string("height");
   }
 
   void take_place() {
