@@ -59,6 +59,19 @@ export function slopeFigures(report: Report): HTMLElement[] {
   return [...ahead, ...obstacle, ...sides];
 }
 
+export function heightFigures(report: Report): HTMLElement[] {
+  const path = report.globalTrajectory ?? report.trajectory;
+  if (!path) return [];
+  return figure({
+    ...kTime,
+    title: 'Height of the machine',
+    note: 'above where it began.',
+    x: path.timeS,
+    unit: 'm',
+    lines: [{ name: 'height', values: path.z.map((z) => z - path.z[0]!), colour: 'c0' }],
+  });
+}
+
 export function odometryFigures(report: Report): HTMLElement[] {
   const odometry = report.odometry;
   if (!odometry) return [];

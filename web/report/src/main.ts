@@ -1,8 +1,15 @@
 import { readReport, text, type Report } from './data';
 import { h } from './dom';
 import { countTable, evaluationFacts, machineFacts, stageTable } from './facts';
-import { labelFigures, odometryFigures, roadFigures, slopeFigures, timeFigures } from './figures';
-import { planFigure } from './plan';
+import {
+  heightFigures,
+  labelFigures,
+  odometryFigures,
+  roadFigures,
+  slopeFigures,
+  timeFigures,
+} from './figures';
+import { planFigures } from './plan';
 import { watchTheme } from './theme';
 import { recordingName, summaryOf, warningsOf, type Warning } from './words';
 
@@ -54,7 +61,7 @@ function page(report: Report): (HTMLElement | null)[] {
       'Summary',
       summaryOf(report).map((sentence) => h('p', {}, sentence)),
     ),
-    section('Where it drove', [planFigure(report), ...odometryFigures(report)]),
+    section('Where it drove', [...planFigures(report), ...heightFigures(report), ...odometryFigures(report)]),
     section('Road', roadFigures(report)),
     section('Along the run', [...slopeFigures(report), ...labelFigures(report)]),
     section('Against the truth', evaluationFacts(report)),

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { readReport } from './data';
-import { piecesOf, roundLength } from './plan';
+import { piecesOf, plansOf, roundLength } from './plan';
 
 describe('the plan', () => {
   const path = {
@@ -25,6 +25,21 @@ describe('the plan', () => {
     expect(pieces.map((piece) => piece.style)).toEqual(['path good', 'path lost']);
     expect(pieces[1]!.x[0]).toBe(pieces[0]!.x.at(-1));
     expect(pieces[1]!.x.at(-1)).toBe(3);
+  });
+
+  it('lays over each other only what is in one world', () => {
+    const edges = [{ side: 'left', x_m: [0, 1], y_m: [2, 2], z_m: [0, 0] }];
+    const odometry = { rows: 4, x: [0, 1, 2, 3], columns: { health: [0, 0, 0, 0] } };
+    const styles = (parts: object) =>
+      plansOf(read(parts)).map((plan) => plan.drawings.map((drawing) => drawing.style));
+    expect(styles({ edges })).toEqual([['left', 'path']]);
+    expect(styles({ edges, odometry })).toEqual([['left', 'path good']]);
+    expect(styles({ edges, odometry, run: { poses: {} } })).toEqual([['left'], ['path good']]);
+    expect(styles({ edges, odometry, global_trajectory: path })).toEqual([
+      ['left', 'path good'],
+      ['path good'],
+    ]);
+    expect(plansOf(readReport('{"schema": "berm.report/1"}'))).toEqual([]);
   });
 
   it('has a bar of a round length', () => {

@@ -1,4 +1,4 @@
-import { before, everyNth, type Path, type Report } from './data';
+import { at, before, everyNth, isObject, type Path, type Report } from './data';
 import { h, svg } from './dom';
 import { fixed, length, rounded } from './format';
 import { folded, scrolled, table } from './tables';
@@ -43,18 +43,38 @@ export function piecesOf(path: Path, report: Report): Drawing[] {
   return pieces;
 }
 
-function drawingsOf(report: Report): Drawing[] {
-  const drawings: Drawing[] = report.edges.map((line) => ({
+/** What can be laid over each other: one world. */
+export interface Plan {
+  title: string;
+  drawings: Drawing[];
+  path: Path | undefined;
+}
+
+/**
+ * The odometry begins a world of its own where poses are known: edges and the path that is fused with them lie in the
+ * world of the poses, and the odometry gets a plan for itself.
+ */
+export function plansOf(report: Report): Plan[] {
+  const edges = report.edges.map((line) => ({
     name: `${line.side} edge`,
     style: line.side === 'left' ? 'left' : 'right',
     x: line.x,
     y: line.y,
   }));
-  if (report.globalTrajectory) {
-    drawings.push({ name: 'path, fused with GNSS', style: 'global', ...report.globalTrajectory });
+  const { trajectory, globalTrajectory } = report;
+  const apart =
+    report.odometry !== undefined && (globalTrajectory !== undefined || isObject(at(report.run, 'poses')));
+  const path = globalTrajectory ?? (apart ? undefined : trajectory);
+  const world: Plan = {
+    title: 'From above',
+    drawings: [...edges, ...(path ? piecesOf(path, report) : [])],
+    path,
+  };
+  const plans = world.drawings.length > 0 ? [world] : [];
+  if (apart && trajectory) {
+    plans.push({ title: 'Odometry from above', drawings: piecesOf(trajectory, report), path: trajectory });
   }
-  if (report.trajectory) drawings.push(...piecesOf(report.trajectory, report));
-  return drawings;
+  return plans;
 }
 
 function extentOf(drawings: readonly Drawing[]): { x: number; y: number; width: number; height: number } {
@@ -113,12 +133,11 @@ function key(style: string, name: string): HTMLElement {
 }
 
 /** None without poses and edges. */
-export function planFigure(report: Report): HTMLElement | null {
-  const drawings = drawingsOf(report);
-  if (drawings.length === 0) return null;
-  const path = report.trajectory ?? report.globalTrajectory;
+export const planFigures = (report: Report): HTMLElement[] =>
+  plansOf(report).map((plan) => planFigure(plan, report.originM));
+
+function planFigure({ title, drawings, path }: Plan, originM: number[]): HTMLElement {
   const extent = extentOf(drawings);
-  const title = 'From above';
   const about = `${length(extent.width)} by ${length(extent.height)}, x of the world to the right, y up.`;
   const place = h('div', { class: 'plan', role: 'img', 'aria-label': `${title}: ${about}` });
   const redraw = (printing: boolean) => {
@@ -142,12 +161,12 @@ export function planFigure(report: Report): HTMLElement | null {
     place,
     h('div', { class: 'legend' }, ...keys),
     path
-      ? folded('Table: path', () => {
+      ? folded(`Table: ${title}`, () => {
           const rows = everyNth(path.timeS.length, 60).map((i) => [
             fixed(path.timeS[i], 1),
             ...[path.x[i], path.y[i], path.z[i]].map((value) => fixed(value, 2)),
           ]);
-          const origin = report.originM.map((value) => fixed(value, 2)).join(', ');
+          const origin = originM.map((value) => fixed(value, 2)).join(', ');
           const caption = `Path, from the origin ${origin} of the world`;
           return scrolled(caption, table(caption, ['time, s', 'x, m', 'y, m', 'z, m'], rows, false));
         })

@@ -112,6 +112,15 @@ describe('summary', () => {
     expect(said).toContain('2.00 cm');
   });
 
+  it('tells the map of the surface', () => {
+    const surface = { voxels: 2_500_000, tiles: 4, snow_depth: { cells: 9, median_m: 0.873 } };
+    const said = summaryOf(report({ surface })).join(' ');
+    expect(said).toContain(
+      '2.5\u00a0million points in 4 tiles. The median depth of the snow is 0.87\u00a0m.',
+    );
+    expect(bad({ surface: { scans_not_mapped: { gap: 3 } } })[0]).toContain('map of the surface | gap: 3');
+  });
+
   it('takes the name of the recording as it is', () => {
     expect(recordingName(report({}))).toBe('b>'); // of '/data/<b>drive</b>/'
     expect(recordingName(report({ recording: { path: 'a/<i>x' } }))).toBe('<i>x');

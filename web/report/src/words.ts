@@ -1,5 +1,5 @@
 import { at, entries, list, num, text, type Report } from './data';
-import { count, duration, fixed, large, length, percent, rounded, words } from './format';
+import { count, duration, fixed, kGap, large, length, percent, rounded, words } from './format';
 
 /** Something that speaks against a run, or that one should know of it. */
 export interface Warning {
@@ -140,11 +140,13 @@ function poses(report: Report): Warning[] {
       details: log.map(([key, n]) => `${words(key)}: ${fixed(Number(n))}`),
     });
   }
-  const mapped = entries(report.run, 'edges', 'scans_not_mapped').map(
-    ([why, n]) => `${words(why)}: ${fixed(Number(n))}`,
-  );
-  if (mapped.length > 0) {
-    found.push({ level: 'bad', title: 'Scans are missing in the map of the edges', details: mapped });
+  for (const map of ['edges', 'surface']) {
+    const missing = entries(report.run, map, 'scans_not_mapped').map(
+      ([why, n]) => `${words(why)}: ${fixed(Number(n))}`,
+    );
+    if (missing.length > 0) {
+      found.push({ level: 'bad', title: `Scans are missing in the map of the ${map}`, details: missing });
+    }
   }
   return found;
 }
@@ -288,6 +290,17 @@ function whatRoad(report: Report): string[] {
   return said;
 }
 
+function whatSurface(report: Report): string[] {
+  const surface = at(report.run, 'surface');
+  if (surface === null) return [];
+  const depth = at(surface, 'snow_depth', 'median_m');
+  const snow =
+    typeof depth === 'number' ? ` The median depth of the snow is ${fixed(depth, 2)}${kGap}m.` : '';
+  return [
+    `The map of the surface has ${large(num(surface, ['voxels']))} points in ${count(num(surface, ['tiles']), 'tile')}.${snow}`,
+  ];
+}
+
 function howGood(report: Report): string[] {
   const figures: string[] = [];
   for (const key of ['ground', 'piste', 'snow', 'edges']) {
@@ -308,6 +321,7 @@ export function summaryOf(report: Report): string[] {
       whatWasDone(report),
     ...howFar(report),
     ...whatRoad(report),
+    ...whatSurface(report),
     ...howFast(report),
     ...howGood(report),
   ];
