@@ -3,7 +3,7 @@ import { h } from './dom';
 import { fixed, percent, words } from './format';
 import { plotFigure, type Line, type Plot } from './plot';
 import { folded, scrolled, table } from './tables';
-import { limitsOf, rulesOf } from './words';
+import { isLevel, limitsOf, rulesOf } from './words';
 
 const kTime = { xName: 'time', xUnit: 's', sync: 'time' } as const;
 const kChainage = { xName: 'chainage', xUnit: 'm', sync: 'chainage' } as const;
@@ -61,7 +61,7 @@ export function slopeFigures(report: Report): HTMLElement[] {
 
 export function heightFigures(report: Report): HTMLElement[] {
   const path = report.globalTrajectory ?? report.trajectory;
-  if (!path) return [];
+  if (!path || !isLevel(report)) return [];
   return figure({
     ...kTime,
     title: 'Height of the machine',

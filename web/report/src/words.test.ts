@@ -112,6 +112,13 @@ describe('summary', () => {
     expect(said).toContain('2.00 cm');
   });
 
+  it('does not take the tilted world of the odometry for height', () => {
+    const trajectory = { poses: 2, path_m: 50, t_s: [0, 10], x_m: [0, 1], y_m: [0, 1], z_m: [0, 20] };
+    const odometry = { rows: 2, x: [0, 10], columns: { health: [0, 0] } };
+    expect(summaryOf(report({}, { trajectory })).join(' ')).toContain('of height');
+    expect(summaryOf(report({}, { trajectory, odometry })).join(' ')).not.toContain('of height');
+  });
+
   it('tells the map of the surface', () => {
     const surface = { voxels: 2_500_000, tiles: 4, snow_depth: { cells: 9, median_m: 0.873 } };
     const said = summaryOf(report({ surface })).join(' ');

@@ -52,6 +52,10 @@ export const periodOf = (report: Report): number => {
   return rate > 0 ? 1000 / rate : 0;
 };
 
+/** Whether z points up: the world of the odometry is tilted as the machine was at its begin. */
+export const isLevel = (report: Report): boolean =>
+  report.globalTrajectory !== undefined || report.odometry === undefined;
+
 export interface Rule {
   name: string;
   key: string;
@@ -252,9 +256,9 @@ function whatWasDone(report: Report): string {
 function howFar(report: Report): string[] {
   const path = report.globalTrajectory ?? report.trajectory;
   if (!path) return [];
-  const low = Math.min(...path.z);
-  const high = Math.max(...path.z);
-  return [`The machine drove ${length(path.lengthM)}, over ${length(high - low)} of height.`];
+  if (!isLevel(report)) return [`The machine drove ${length(path.lengthM)}.`];
+  const climb = Math.max(...path.z) - Math.min(...path.z);
+  return [`The machine drove ${length(path.lengthM)}, over ${length(climb)} of height.`];
 }
 
 function howFast(report: Report): string[] {
