@@ -5,6 +5,7 @@ import { chooseTiles } from './data/level_of_detail';
 import { Loader, type Wanted } from './data/loader';
 import { kBytesPerPoint, type PointBlock } from './data/points';
 import type { Vector } from './data/model';
+import { hasPose } from './data/poses';
 import { modeIndex, type Mode } from './modes';
 import { Clock, Timeline } from './playback/clock';
 import { makeMarks } from './scene/marks';
@@ -32,6 +33,9 @@ const kCacheBytes = 256 * 2 ** 20;
 const kPrefetch = 8;
 const kTileBudget = 3e6;
 const kPick_px = 10;
+/** Scans that are shown together at first where one alone says little: fewer points than this, and poses to place them. */
+const kSparse_points = 30_000;
+const kSparseTrail = 8;
 
 /** A point that the pointer is on. */
 interface Picked {
@@ -77,6 +81,7 @@ export class App implements Actions {
     this.root = root;
     this.store = new Store(state.decodeState(location.hash));
     this.timeline = new Timeline(runs.map((run) => run.table));
+    if (location.hash === '' && isSparse(runs)) this.store.state.trail = kSparseTrail;
     this.clock = new Clock(this.timeline.duration_s);
     this.clock.seek(this.store.state.time_s);
     this.clock.speed = this.store.state.speed;
@@ -669,3 +674,9 @@ function describe({ object, index, world }: Picked, run: RunSession): string {
   if ((block.channels & 8) !== 0) parts.push(`ring ${block.ring[index]}`);
   return parts.join('  ·  ');
 }
+
+const isSparse = (runs: readonly RunSession[]) =>
+  runs.every(
+    ({ table }) =>
+      table.count > 0 && hasPose(table, 0) && table.points[0]! > 0 && table.points[0]! < kSparse_points,
+  );

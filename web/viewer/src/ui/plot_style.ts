@@ -11,7 +11,7 @@ export const axis = (label: string, extra: Partial<uPlot.Axis> = {}): uPlot.Axis
   font: '12px system-ui, sans-serif',
   labelFont: '12px system-ui, sans-serif',
   labelSize: 18,
-  size: 42,
+  size: 52,
   ...extra,
 });
 

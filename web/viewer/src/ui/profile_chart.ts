@@ -55,7 +55,7 @@ export class ProfileChart {
         height: 160,
         legend: { show: false },
         scales: { x: { time: false } },
-        axes: [axis('along the line (m)'), axis('height (m)')],
+        axes: [axis('along the line (m)', { size: 32 }), axis('height (m)')],
         series: [{}, { paths: () => null, points: { show: false } }],
         cursor: { points: { show: false } },
         hooks: { draw: [(plot) => this.draw(plot)], setCursor: [(plot) => this.moved(plot)] },

@@ -15,7 +15,12 @@ export class Transport {
   private readonly scrub: HTMLInputElement;
   private readonly speed: HTMLSelectElement;
   private readonly text = make('div', { class: 'transport-text' });
-  private readonly strip = make('canvas', { class: 'health', 'aria-hidden': 'true' });
+  private readonly strip = make('canvas', {
+    class: 'health',
+    role: 'img',
+    'aria-label': 'Points of each scan; orange: degraded, red: skipped',
+    title: 'Points of each scan; orange: degraded, red: skipped',
+  });
   private playing: boolean | undefined;
 
   constructor(

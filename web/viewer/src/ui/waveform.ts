@@ -72,7 +72,7 @@ export class Waveform {
         height: 160,
         scales: { x: { time: false } },
         axes: [
-          axis('sample in firing order'),
+          axis('sample in firing order', { size: 32 }),
           axis('height, range (m)', { scale: 'm' }),
           axis('intensity', { scale: 'i', side: 1, grid: { show: false } }),
         ],
