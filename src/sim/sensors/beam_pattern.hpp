@@ -66,32 +66,30 @@ class Rotor {
   double step_sine_;
 };
 
+/// 1 - q r0 (1 - q r1 (1 - q r2 ...)).
+template <std::size_t kFirst = 0>
+[[nodiscard, gnu::always_inline]] inline double nested_series(double q, const std::array<double, 7>& ratios) {
+  if constexpr (kFirst == 7) {
+    return 1.0;
+  } else {
+    return 1.0 - q * ratios[kFirst] * nested_series<kFirst + 1>(q, ratios);
+  }
+}
+
 /// cos(sqrt(q)) as a power series. Patterns have angles of at most 90 degrees, q <= 2.5: the first term left out is
 /// below 1e-7 there, less than a float holds.
 [[nodiscard, gnu::always_inline]] inline double cosine_of_root(double q) {
   // Divisions are what costs in such a series.
   constexpr std::array<double, 7> kRatios = {1.0 / 2.0,  1.0 / 12.0,  1.0 / 30.0, 1.0 / 56.0,
                                              1.0 / 90.0, 1.0 / 132.0, 1.0 / 182.0};
-  return 1.0 -
-         q * kRatios[0] *
-             (1.0 -
-              q * kRatios[1] *
-                  (1.0 - q * kRatios[2] *
-                             (1.0 - q * kRatios[3] *
-                                        (1.0 - q * kRatios[4] * (1.0 - q * kRatios[5] * (1.0 - q * kRatios[6]))))));
+  return nested_series(q, kRatios);
 }
 
 /// sin(sqrt(q)) / sqrt(q), the same way.
 [[nodiscard, gnu::always_inline]] inline double sine_over_root(double q) {
   constexpr std::array<double, 7> kRatios = {1.0 / 6.0,   1.0 / 20.0,  1.0 / 42.0, 1.0 / 72.0,
                                              1.0 / 110.0, 1.0 / 156.0, 1.0 / 210.0};
-  return 1.0 -
-         q * kRatios[0] *
-             (1.0 -
-              q * kRatios[1] *
-                  (1.0 - q * kRatios[2] *
-                             (1.0 - q * kRatios[3] *
-                                        (1.0 - q * kRatios[4] * (1.0 - q * kRatios[5] * (1.0 - q * kRatios[6]))))));
+  return nested_series(q, kRatios);
 }
 
 }  // namespace berm::sim
