@@ -22,13 +22,27 @@ struct Options {
   std::vector<std::string> recordings;
   std::vector<std::string> changes;
   std::string dump_folder;
+  std::string kept_folder;
   std::uint64_t seed_offset = 0;
   bool runs_only = false;
   bool bars_only = false;
+  bool dust = false;
   std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
 };
 
+void measure_dust(const Options& options) {
+  const std::vector<RoadMethod> methods = dust_methods();
+  const std::vector<RoadResult> results =
+      measure_roads(dust_runs(options.seed_offset), methods, options.threads, options.kept_folder);
+  fmt::print("## In dust, seeds + {}\n\n", options.seed_offset);
+  print_roads(methods, results);
+}
+
 bool measure(const Options& options) {
+  if (options.dust) {
+    measure_dust(options);
+    return true;
+  }
   std::vector<RoadMethod> methods = main_road_methods();
   if (!options.changes.empty()) {
     methods = {road_method("default", options.changes)};
@@ -40,7 +54,7 @@ bool measure(const Options& options) {
   }
   std::vector<RoadResult> results;
   if (options.recordings.empty()) {
-    results = measure_roads(road_runs(options.seed_offset), methods, options.threads);
+    results = measure_roads(road_runs(options.seed_offset), methods, options.threads, options.kept_folder);
     fmt::print("## Roads, seeds + {}\n\n", options.seed_offset);
   } else {
     for (const std::string& recording : options.recordings) {
@@ -66,8 +80,10 @@ int main(int argc, char** argv) {
   app.add_option("recordings", options.recordings, "Recordings of the simulator instead of the runs");
   app.add_option("--set", options.changes, "The default alone, with another value for a key: section.key=value");
   app.add_option("--dump", options.dump_folder, "Folder for what the default found in the recordings");
+  app.add_option("--keep", options.kept_folder, "Folder where recordings are kept, and used again by the next call");
   app.add_option("--seed-offset", options.seed_offset, "Added to the seed of every run: other roads");
   app.add_flag("--runs-only", options.runs_only, "Default and reference, road by road");
+  app.add_flag("--dust", options.dust, "Roads in dust and the same in clear air, with and without the snow stage");
   app.add_flag("--bars-only", options.bars_only, "No table, just whether the bars hold");
   app.add_option("--threads", options.threads, "Runs worked on at a time")->check(CLI::Range(1, 1024));
   CLI11_PARSE(app, argc, argv);

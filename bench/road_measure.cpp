@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -26,6 +27,7 @@
 #include "berm/sim/scenario.hpp"
 #include "berm/sim/sensor.hpp"
 #include "berm/sim/simulate.hpp"
+#include "berm/snow/sparse_snow.hpp"
 #include "berm_height.hpp"
 #include "support/temp_folder.hpp"
 
@@ -319,6 +321,42 @@ void simulate(test::RunPlan& plan, const std::filesystem::path& folder) {
   }
 }
 
+/// What a scan holds before edges are looked for, with the snow stage or without, as the chain of `berm run` does it.
+class Labelled {
+ public:
+  explicit Labelled(bool with_snow) {
+    if (with_snow) {
+      snow_ = std::make_unique<SparseSnow>(SparseSnowConfig{});
+    }
+  }
+
+  EdgeInput process(const Scan& scan) {
+    PointsView points = scan.cloud.view();
+    std::span<const std::uint8_t> falling;
+    if (snow_) {
+      falling = snow_->process(points, scan.T_base_sensor).falling;
+      x_.assign(points.x.begin(), points.x.end());
+      for (std::size_t i = 0; i < x_.size(); ++i) {
+        x_[i] = falling[i] != 0 ? std::numeric_limits<float>::quiet_NaN() : x_[i];
+      }
+      points.x = x_;
+    }
+    const GroundResult found = ground_.process(points, scan.T_base_sensor);
+    labels_.clear();
+    for (std::size_t i = 0; i < found.classes.size(); ++i) {
+      labels_.push_back(!falling.empty() && falling[i] != 0 ? Label::falling_snow : label_of(found.classes[i]));
+    }
+    return {
+        .points = scan.cloud.view(), .labels = labels_, .surface = found.surface, .T_base_sensor = scan.T_base_sensor};
+  }
+
+ private:
+  std::unique_ptr<SparseSnow> snow_;
+  TerrainGround ground_{TerrainGroundConfig{}};
+  std::vector<float> x_;
+  std::vector<Label> labels_;
+};
+
 }  // namespace
 
 RoadResult measure_recording(const std::filesystem::path& folder, const std::vector<RoadMethod>& methods,
@@ -335,22 +373,18 @@ RoadResult measure_recording(const std::filesystem::path& folder, const std::vec
   for (const RoadMethod& method : methods) {
     passages.push_back(std::make_unique<Passage>(method, poses, passages.empty()));
   }
-  TerrainGround ground{TerrainGroundConfig{}};
-  std::vector<Label> labels;
+  Labelled bare(false);
+  Labelled clean(true);
+  const bool any_clean = std::any_of(methods.begin(), methods.end(), [](const auto& m) { return m.with_snow; });
   Scan scan;
   for (std::size_t i = 0; i < recording.size(); ++i) {
     recording.read(i, scan);
     scan.T_base_sensor = mount_of(recording.sheet()).T_base_sensor();
     result.points_a_scan += static_cast<double>(scan.cloud.size()) / static_cast<double>(recording.size());
-    const GroundResult found = ground.process(scan.cloud.view(), scan.T_base_sensor);
-    labels.clear();
-    for (const GroundClass one : found.classes) {
-      labels.push_back(label_of(one));
-    }
-    const EdgeInput input{
-        .points = scan.cloud.view(), .labels = labels, .surface = found.surface, .T_base_sensor = scan.T_base_sensor};
-    for (const auto& passage : passages) {
-      passage->process(input, scan, poses);
+    const EdgeInput with_all = bare.process(scan);
+    const EdgeInput without_flakes = any_clean ? clean.process(scan) : EdgeInput{};
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      passages[m]->process(methods[m].with_snow ? without_flakes : with_all, scan, poses);
     }
   }
   for (const auto& passage : passages) {
@@ -363,17 +397,22 @@ RoadResult measure_recording(const std::filesystem::path& folder, const std::vec
 }
 
 std::vector<RoadResult> measure_roads(const std::vector<test::RunPlan>& runs, const std::vector<RoadMethod>& methods,
-                                      std::size_t threads) {
+                                      std::size_t threads, const std::filesystem::path& kept) {
   std::vector<RoadResult> results;
   OrderedParallel<RoadResult> work(
       runs.size(), threads,
       [&](std::size_t /*worker*/, std::size_t index, RoadResult& result) {
         test::RunPlan plan = runs[index];
         const test::TempFolder folder;
-        simulate(plan, folder.path() / "recording");
-        result = measure_recording(folder.path() / "recording", methods, {});
+        const auto recording =
+            kept.empty() ? folder.path() / "recording" : kept / fmt::format("{} {}", plan.name, plan.seed);
+        // The last file of a recording that is whole.
+        if (!std::filesystem::exists(recording / "sequence.json")) {
+          simulate(plan, recording);
+        }
+        result = measure_recording(recording, methods, {});
         result.name = plan.name;
-        result.seed = plan.seed;
+        result.seed = Recording::open(recording).sheet().seed.value_or(plan.seed);
       },
       [&results](std::size_t /*index*/, RoadResult& result) {
         results.push_back(std::move(result));

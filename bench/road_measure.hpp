@@ -40,8 +40,10 @@ struct RoadResult {
                                            const std::filesystem::path& dump_folder);
 
 /// Simulates the runs and takes them through the methods, `threads` runs at a time. A seed that gives no road that can
-/// be driven is replaced by one 100 above.
+/// be driven is replaced by one 100 above. Recordings are kept in the folder `kept`, and used again if they are there;
+/// empty: they are not.
 [[nodiscard]] std::vector<RoadResult> measure_roads(const std::vector<test::RunPlan>& runs,
-                                                    const std::vector<RoadMethod>& methods, std::size_t threads);
+                                                    const std::vector<RoadMethod>& methods, std::size_t threads,
+                                                    const std::filesystem::path& kept);
 
 }  // namespace berm::bench

@@ -7,7 +7,7 @@
 namespace berm::bench {
 
 RoadMethod road_method(std::string name, const std::vector<std::string>& changes) {
-  RoadMethod method{std::move(name), {}, false};
+  RoadMethod method{.name = std::move(name), .settings = {}};
   for (const std::string& change : changes) {
     (void)set_value(method.settings, change, method.name);
   }
@@ -17,6 +17,12 @@ RoadMethod road_method(std::string name, const std::vector<std::string>& changes
 
 std::vector<RoadMethod> main_road_methods() {
   return {road_method("default", {}), {.name = "reference: method E", .settings = {}, .is_reference = true}};
+}
+
+std::vector<RoadMethod> dust_methods() {
+  RoadMethod clean = road_method("snow stage", {});
+  clean.with_snow = true;
+  return {road_method("default", {}), clean};
 }
 
 std::vector<RoadMethod> changed_road_methods() {

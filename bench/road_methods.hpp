@@ -32,12 +32,15 @@ struct RoadMethod {
   std::string name;
   RoadSettings settings;
   bool is_reference = false;  ///< detector and map as published; the lines as by default
+  bool with_snow = false;     ///< the snow stage before the others, which takes dust for snow
 };
 
 /// The default, with other values for keys: "section.key=value".
 [[nodiscard]] RoadMethod road_method(std::string name, const std::vector<std::string>& changes);
 /// The default, then the reference.
 [[nodiscard]] std::vector<RoadMethod> main_road_methods();
+/// The default, then the same with the snow stage.
+[[nodiscard]] std::vector<RoadMethod> dust_methods();
 /// The default with one step left out, or set otherwise.
 [[nodiscard]] std::vector<RoadMethod> changed_road_methods();
 

@@ -2,19 +2,28 @@
 
 #include <utility>
 
+#include <fmt/core.h>
+
 namespace berm::bench {
 namespace {
 
 constexpr double kSeconds = 60.0;  // at about 6 m/s: 300 m of road at least
 
 test::RunPlan make_run(std::string name, std::uint64_t seed, std::vector<std::string> settings,
-                       std::string sensor = "vlp16") {
+                       std::string sensor = "vlp16", std::string scenario = "haul_road") {
   return {.name = std::move(name),
-          .scenario = "haul_road",
+          .scenario = std::move(scenario),
           .settings = std::move(settings),
           .seed = seed,
           .seconds = kSeconds,
           .sensor = std::move(sensor)};
+}
+
+std::vector<test::RunPlan> with_offset(std::vector<test::RunPlan> runs, std::uint64_t seed_offset) {
+  for (test::RunPlan& run : runs) {
+    run.seed += seed_offset;
+  }
+  return runs;
 }
 
 }  // namespace
@@ -38,10 +47,17 @@ std::vector<test::RunPlan> road_runs(std::uint64_t seed_offset) {
       make_run("HDL-32E", 107, {}, "hdl32e"),
       make_run("Livox Mid-360", 108, {"mount.pitch_deg=15"}, "livox_mid360"),
   };
-  for (test::RunPlan& run : runs) {
-    run.seed += seed_offset;
+  return with_offset(std::move(runs), seed_offset);
+}
+
+std::vector<test::RunPlan> dust_runs(std::uint64_t seed_offset) {
+  std::vector<test::RunPlan> runs;
+  for (const int road : {1, 2}) {
+    const auto seed = static_cast<std::uint64_t>(110 + road);
+    runs.push_back(make_run(fmt::format("dust {}", road), seed, {}, "vlp16", "haul_road_dust"));
+    runs.push_back(make_run(fmt::format("clear {}", road), seed, {"dust.plumes=0"}, "vlp16", "haul_road_dust"));
   }
-  return runs;
+  return with_offset(std::move(runs), seed_offset);
 }
 
 }  // namespace berm::bench

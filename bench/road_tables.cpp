@@ -85,9 +85,9 @@ void print_roads(std::span<const RoadMethod> methods, std::span<const RoadResult
   for (std::size_t m = 0; m < std::min<std::size_t>(methods.size(), 2); ++m) {
     for (const RoadResult& result : results) {
       fmt::print("| {:<22} | {:4} | {:.0f} | {:6.0f} | {:<9} | {} | {:.2f} | {:.2f} | {:.0f} |\n", result.name,
-                 result.seed, result.length_m, result.points_a_scan, m == 0 ? "default" : "reference",
-                 score_cells(result.scores[m]), result.scores[m].detect_ms, result.scores[m].map_ms,
-                 result.scores[m].lines_ms);
+                 result.seed, result.length_m, result.points_a_scan,
+                 m == 1 && methods[m].is_reference ? "reference" : methods[m].name, score_cells(result.scores[m]),
+                 result.scores[m].detect_ms, result.scores[m].map_ms, result.scores[m].lines_ms);
     }
   }
   fmt::print("\n");

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# usage: scripts/road_table.sh [--write | OPTIONS OF berm_road_accuracy]
+# usage: scripts/road_table.sh [--write] [OPTIONS OF berm_road_accuracy]
 #
 # Builds the release preset, simulates haul roads with truth, takes them from scans to the lines of their edges and prints
 # what is right: the default beside the published method, road by road; every step switched off in turn; other
 # settings. Exit code 1 if a figure that is asked for is not reached in the mean.
-#   --write  writes docs/road_table.md, with the roads of another set of seeds
+#   --write [OPTIONS]  writes docs/road_table.md, with the roads of another set of seeds, and roads in dust
 # Example: scripts/road_table.sh --runs-only --seed-offset 7000
+#          scripts/road_table.sh --write --keep ~/haul_roads
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -30,14 +31,16 @@ Written by `scripts/road_table.sh --write`; not to be edited. [Edges](edges.md) 
 methods: default ground stage, edges with the poses of gnss.tum at the time of each point, map, lines.
 
 PAGE
-  measure
-  measure --bars-only --seed-offset 1000
+  measure "$@"
+  measure "$@" --bars-only --seed-offset 1000
+  measure "$@" --dust
 }
 
 case "${1:-}" in
 --write)
+  shift
   page="$repo_dir/build/release/road_table.md"
-  write_page >"$page"
+  write_page "$@" >"$page"
   mv "$page" "$repo_dir/docs/road_table.md"
   ;;
 *) measure "$@" ;;
