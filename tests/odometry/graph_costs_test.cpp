@@ -54,7 +54,7 @@ void check_jacobians(const ceres::CostFunction& cost, std::array<Vector6d, nodes
 }
 
 TEST(GraphCosts, JacobiansAreThoseOfTheResiduals) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     NodeState a{Pose::exp(twist(10.0, 1.5))};
     NodeState b{a.reference * Pose::exp(twist(2.0, 0.4))};
     const Pose T_a_b = a.reference.inverse() * b.reference * Pose::exp(twist(0.3, 0.3));
@@ -66,7 +66,7 @@ TEST(GraphCosts, JacobiansAreThoseOfTheResiduals) {
                           std::array<Vector6d, 1>{steps[0]});
     check_jacobians<3, 1>(AttitudeCost(a, a.reference.rotation() * rotation_exp(twist(0.0, 0.5).tail<3>()), sigma),
                           std::array<Vector6d, 1>{steps[0]});
-  });
+  }));
 }
 
 TEST(GraphCosts, LossIsSmoothAndBounded) {
@@ -86,7 +86,7 @@ TEST(GraphCosts, LossIsSmoothAndBounded) {
 }
 
 TEST(ChainCovariance, IsTheDiagonalOfTheInverse) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     constexpr std::size_t kNodes = 5;
     ChainInformation chain(kNodes);
     Eigen::Matrix<double, 6 * kNodes, 6 * kNodes> whole;
@@ -113,7 +113,7 @@ TEST(ChainCovariance, IsTheDiagonalOfTheInverse) {
       const auto at = 6 * static_cast<Eigen::Index>(i);
       RC_ASSERT((covariances[i] - inverse.block<6, 6>(at, at)).norm() < 1e-6 * inverse.norm());
     }
-  });
+  }));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using test::MadeDrive;
 using test::MadeFixes;
 
 TEST(PoseGraphLaws, MovingTheWorldMovesTheAnswer) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const auto seed = *rc::gen::inRange(1U, 1000U);
     const MadeDrive drive{.seconds = 40.0, .seed = seed};
     const bool has_attitude = *rc::gen::arbitrary<bool>();
@@ -34,11 +34,11 @@ TEST(PoseGraphLaws, MovingTheWorldMovesTheAnswer) {
       const Pose expected = move * here.trajectory.poses()[i].T_world_base;
       RC_ASSERT((expected.inverse() * there.trajectory.poses()[i].T_world_base).log().norm() < 1e-3);
     }
-  });
+  }));
 }
 
 TEST(PoseGraphLaws, WithoutFixesAndClosuresTheOdometryComesBack) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const auto seed = *rc::gen::inRange(1U, 1000U);
     const MadeDrive drive{.seconds = *rc::gen::inRange(1, 60) * 1.0, .seed = seed};
     const auto odometry = drive.odometry();
@@ -49,7 +49,7 @@ TEST(PoseGraphLaws, WithoutFixesAndClosuresTheOdometryComesBack) {
       RC_ASSERT(result.trajectory.poses()[i].stamp_ns == odometry[i].stamp_ns);
       RC_ASSERT(result.trajectory.poses()[i].T_world_base.matrix() == odometry[i].T_odom_base.matrix());
     }
-  });
+  }));
 }
 
 TEST(PoseGraphLaws, TheSameTwice) {

@@ -52,6 +52,8 @@ struct PoseGraphConfig {
   double drift_rad_per_sqrt_m = 0.002;
   // Fixes.
   bool use_fixes = true;
+  double fix_sigma_m = 0.03;
+  double fix_sigma_rad = 0.02;
   double antenna_x_m = 0.0;
   double antenna_y_m = 0.0;
   double antenna_z_m = 0.0;
@@ -125,6 +127,10 @@ struct PoseGraphResult {
   std::vector<std::string> notes;                     ///< what was found or refused, in words
 };
 
+/// Fixes of a trajectory that gives no sigmas: poses of the base, so that no antenna is to be taken off. Where all are
+/// level their tilt is taken to be made up.
+[[nodiscard]] std::vector<Fix> fixes_of(const Trajectory& poses, const PoseGraphConfig& config);
+
 /// Joins odometry, fixes and closures into one trajectory, by least squares over all of them at once (Ceres), in which
 /// fixes and closures that contradict the rest lose their weight (dynamic covariance scaling, Agarwal et al. 2013; from
 /// a wide scale to a narrow one, as graduated non-convexity does, Yang et al. 2020). Without fixes and closures the
@@ -143,6 +149,8 @@ void PoseGraphConfig::fields(auto&& field) {
         "error of the odometry after a metre; it grows with the root of the path");
   field("drift_rad_per_sqrt_m", &C::drift_rad_per_sqrt_m, Range{1e-5, 1.0}, "the same of its attitude");
   field("use_fixes", &C::use_fixes, "place the path in the world by GNSS/INS, where there is any");
+  field("fix_sigma_m", &C::fix_sigma_m, Range{0.001, 100.0}, "of positions whose log does not say it, one sigma");
+  field("fix_sigma_rad", &C::fix_sigma_rad, Range{1e-4, 3.0}, "the same of attitudes");
   field("antenna_x_m", &C::antenna_x_m, Range{-50.0, 50.0}, "place of which fixes tell, forward of base_link");
   field("antenna_y_m", &C::antenna_y_m, Range{-50.0, 50.0}, "the same, to the left");
   field("antenna_z_m", &C::antenna_z_m, Range{-50.0, 50.0}, "the same, above the ground under base_link");

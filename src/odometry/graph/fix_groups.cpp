@@ -23,7 +23,7 @@ constexpr double kSameLevelShare = 0.02;
 struct Place {
   std::size_t node = 0;
   std::size_t seen = 0;
-  Eigen::Vector3d off_m;  ///< the fix from where the odometry has it, as its window lies in the world
+  Eigen::Vector3d off_m;  ///< the fix from where the odometry has it, in the frame of the odometry
 };
 
 std::size_t nearest_node(std::span<const OdometryStep> odometry, const GraphChain& chain, const SeenFix& seen,
@@ -199,6 +199,36 @@ class Levels {
   double path_m_ = 0.0;
 };
 
+/// For every window one near it whose fit can be believed, itself at best: a jump within a window turns its fit, and a
+/// turned fit makes jumps of plain driving.
+std::vector<std::size_t> nearest_sound(std::span<const WindowFit> fits) {
+  constexpr double kSound = 3.0;
+  constexpr double kSound_m = 0.1;
+  std::vector<double> residuals_m;
+  for (const WindowFit& fit : fits) {
+    residuals_m.push_back(fit.residual_m);
+  }
+  const auto middle = residuals_m.begin() + static_cast<std::ptrdiff_t>(residuals_m.size() / 2);
+  std::nth_element(residuals_m.begin(), middle, residuals_m.end());
+  const double bound_m = kSound * *middle + kSound_m;
+  const auto is_sound = [&](std::size_t w) { return fits[w].mean_m < bound_m && fits[w].has_heading(); };
+  std::vector<std::size_t> nearest(fits.size());
+  for (std::size_t w = 0; w < fits.size(); ++w) {
+    nearest[w] = w;
+    for (std::size_t apart = 0; apart < fits.size(); ++apart) {
+      if (w >= apart && is_sound(w - apart)) {
+        nearest[w] = w - apart;
+        break;
+      }
+      if (w + apart < fits.size() && is_sound(w + apart)) {
+        nearest[w] = w + apart;
+        break;
+      }
+    }
+  }
+  return nearest;
+}
+
 /// Groups that may be believed. If nothing is agreed upon for half of the time, jumps are no rarity, and all stay.
 void drop_jumps(const std::vector<bool>& kept, FixGroups& result) {
   const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), true));
@@ -236,6 +266,10 @@ FixGroups gather_fixes(std::span<const OdometryStep> odometry, const GraphChain&
     }
     places.clear();
   };
+  if (windows.empty()) {
+    return result;
+  }
+  const std::vector<std::size_t> sound = nearest_sound(fits);
   std::size_t last_window = 0;
   for (std::size_t w = 0; w < windows.size(); ++w) {
     for (std::size_t i = windows[w].first; i < windows[w].first + windows[w].count; ++i) {
@@ -243,14 +277,14 @@ FixGroups gather_fixes(std::span<const OdometryStep> odometry, const GraphChain&
       if (!places.empty() && places.front().node != node) {
         finish_group(last_window);
       }
-      places.push_back({node, i, seen[i].position_m - fits[w].T_world_odom * seen[i].antenna_odom_m});
+      places.push_back({node, i, fits[sound[w]].T_world_odom.inverse() * seen[i].position_m - seen[i].antenna_odom_m});
       last_window = w;
     }
   }
   finish_group(last_window);
   Levels levels(odometry, chain, config);
   for (std::size_t i = 0; i < result.groups.size(); ++i) {
-    levels.add(result.groups[i], fits[window_of[i]].T_world_odom);
+    levels.add(result.groups[i], fits[sound[window_of[i]]].T_world_odom);
   }
   std::vector<bool> kept(result.groups.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {

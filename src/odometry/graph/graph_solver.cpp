@@ -134,7 +134,7 @@ class Graph {
     options.max_num_iterations = count;
     options.num_threads = 1;
     options.max_solver_time_in_seconds = 1e9;
-    options.function_tolerance = 1e-9;
+    options.function_tolerance = 1e-13;
     options.parameter_tolerance = 1e-10;
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;

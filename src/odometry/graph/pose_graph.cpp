@@ -98,6 +98,7 @@ class PoseGraph {
     const auto seen = see_fixes(clock, near_, chosen, result_.time_offset_s, config_);
     const auto windows = cut_windows(seen, odometry_, path_m_);
     std::vector<WindowFit> fits;
+    fits.reserve(windows.size());
     for (const FixWindow& window : windows) {
       fits.push_back(fit_window(std::span(seen).subspan(window.first, window.count), near_));
     }
@@ -334,6 +335,27 @@ std::string_view fate_name(ClosureFate fate) {
   constexpr std::array<std::string_view, kClosureFates> kNames = {"used",    "too little", "misfit",
                                                                   "too far", "alone",      "outvoted"};
   return kNames[static_cast<std::size_t>(fate)];
+}
+
+std::vector<Fix> fixes_of(const Trajectory& poses, const PoseGraphConfig& config) {
+  // A frame on the ellipsoid tilts by this over 5 km; no machine stands as level as that for a whole drive.
+  constexpr double kLevel_rad = 1e-3;
+  const auto& all = poses.poses();
+  const bool is_level = std::all_of(all.begin(), all.end(), [](const StampedPose& pose) {
+    const Eigen::Vector3d up = pose.T_world_base.rotation() * Eigen::Vector3d::UnitZ();
+    return up.head<2>().norm() < kLevel_rad;
+  });
+  std::vector<Fix> fixes;
+  fixes.reserve(all.size());
+  for (const StampedPose& pose : all) {
+    fixes.push_back({.stamp_ns = pose.stamp_ns,
+                     .position_m = pose.T_world_base.translation_m(),
+                     .sigma_m = Eigen::Vector3d::Constant(config.fix_sigma_m),
+                     .R_world_base = pose.T_world_base.rotation(),
+                     .tilt_sigma_rad = is_level ? Fix::kUnknown : config.fix_sigma_rad,
+                     .heading_sigma_rad = config.fix_sigma_rad});
+  }
+  return fixes;
 }
 
 PoseGraphResult solve_pose_graph(std::span<const OdometryStep> odometry, std::span<const Fix> fixes,

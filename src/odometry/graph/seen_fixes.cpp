@@ -172,6 +172,9 @@ WindowFit fit_window(std::span<const SeenFix> window, std::span<const Fix> fixes
       weights[i] = own[i] * share * share;
     }
   }
+  for (const double distance_m : distances_m) {
+    result.mean_m += distance_m / static_cast<double>(window.size());
+  }
   result.base_m = std::sqrt(rigid.spread_m2());
   result.has_attitude = rigid.has_attitude();
   if (!result.has_heading()) {

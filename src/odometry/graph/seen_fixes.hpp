@@ -46,6 +46,7 @@ struct FixWindow {
 struct WindowFit {
   Pose T_world_odom;
   double residual_m = 0.0;    ///< median distance of fixes from where the odometry has them
+  double mean_m = 0.0;        ///< the mean of them
   double base_m = 0.0;        ///< greatest extent of the fixes, root mean square
   bool has_attitude = false;  ///< fixes say how the machine is turned
   /// Whether the fixes say how the window is turned about the vertical.
