@@ -26,7 +26,7 @@ TABLE = {
     "odometry": {"core", "geometry"},
     "map": {"core", "geometry"},
     "io": {"core"},
-    "view": {"core", "geometry", "io", "map"},
+    "view": {"core", "geometry", "io", "map", "render"},
     "sim": {"core", "geometry", "io"},
     "eval": {"core", "io"},
     "report": {"core", "io"},

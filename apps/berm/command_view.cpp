@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "exit_code.hpp"
+#include "view_piste.hpp"
 
 namespace berm::app {
 namespace {
@@ -64,6 +65,7 @@ int execute(const ViewCommand& command) {
   }
   ViewOptions options;
   options.access = {.host = command.server.host, .loopback = is_loopback(command.server.host)};
+  options.piste = describe_piste;
   ViewApi api(std::move(runs), std::move(site), std::move(options));
   ViewServer server(api, command.server);
   if (!is_loopback(command.server.host)) {

@@ -14,5 +14,6 @@ void add_machine(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
 
 }  // namespace berm::app

@@ -49,6 +49,7 @@ int run_program(int argc, char** argv) {
   add_map(app, exit_code);
   add_report(app, exit_code);
   add_view(app, exit_code);
+  add_export(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

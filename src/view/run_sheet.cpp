@@ -33,6 +33,7 @@ class SheetReader {
     sheet.scans = number("/counts/scans/selected");
     sheet.machine = text("/machine/machine/name");
     sheet.sensor = text("/machine/sensor/model");
+    sheet.piste_method = text("/machine/methods/piste");
     MountSettings settings;
     for (const auto& value : at("/machine/mount", &Json::is_object).items()) {
       set_value(settings, "mount." + value.key() + "=" + value.value().dump(), file_);

@@ -15,6 +15,7 @@ struct RunSheet {
   std::size_t scans = 0;  ///< that the run was asked for
   std::string machine;
   std::string sensor;
+  std::string piste_method;  ///< "none" where the run had none
   MountConfig mount;
 };
 

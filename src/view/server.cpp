@@ -39,10 +39,10 @@ using Body = http::span_body<const char>;
 constexpr std::uint32_t kMaxHeaderBytes = 8192;
 /// What a client sends ahead of the next request; a pipeline deeper than that is no browser's.
 constexpr std::size_t kMaxBufferBytes = 2 * std::size_t{kMaxHeaderBytes};
-/// The front end brings all it needs; three.js makes pictures of blobs and data, and its workers of blobs.
+/// The front end brings all it needs; pictures of the screen are data and blobs.
 constexpr const char* kContentPolicy =
-    "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; worker-src 'self' blob:; "
-    "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    "default-src 'self'; img-src 'self' data: blob:; object-src 'none'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'none'";
 
 std::chrono::steady_clock::duration seconds(double value_s) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(value_s));
@@ -214,7 +214,7 @@ class ViewServer::State {
       signals_.add(SIGTERM);
       signals_.async_wait([this](const SystemError& code, int) {
         if (!code) {
-          io_.stop();
+          stop();
         }
       });
     }
@@ -230,7 +230,10 @@ class ViewServer::State {
     }
   }
 
-  void stop() { io_.stop(); }
+  void stop() {
+    shared_.api.stop();
+    io_.stop();
+  }
 
  private:
   void accept() {

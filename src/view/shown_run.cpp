@@ -89,6 +89,7 @@ ShownRun ShownRun::open_run(const fs::path& folder) {
   run.name_ = name_of(folder);
   run.machine_ = sheet.machine;
   run.sensor_ = sheet.sensor;
+  run.piste_method_ = sheet.piste_method;
   run.T_base_sensor_ = sheet.mount.T_base_sensor();
   run.first_ = std::min(sheet.first, run.recording_.size());
   run.count_ = std::min(sheet.scans, run.recording_.size() - run.first_);

@@ -10,12 +10,15 @@
 #include "berm/io/trajectory_file.hpp"
 #include "berm/view/points_payload.hpp"
 #include "layers.hpp"
+#include "map_layer.hpp"
 
 namespace berm {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kMapFolder = "map";
+constexpr const char* kMapIndex = "map/tiles.json";
 constexpr const char* kGlobalTrajectory = "global.tum";
 
 /// Numbers of Label; see docs/view_api.md.
@@ -68,7 +71,8 @@ ViewApi::ViewApi(std::vector<ShownRun> runs, Site site, ViewOptions options)
       origins_m_(choose_origins(runs_)),
       site_(std::move(site)),
       options_(std::move(options)),
-      cache_(options_.cache_bytes) {}
+      cache_(options_.cache_bytes),
+      maps_(runs_.size()) {}
 
 ViewAnswer ViewApi::refuse(unsigned status, std::string_view error, std::string_view hint) {
   return {
@@ -146,16 +150,25 @@ ViewAnswer ViewApi::describe_runs() const {
                     {"layers",
                      {{"labels", run.is_run() ? has("labels") : has_truth},
                       {"edges", run.find_file("edges.csv").has_value()},
-                      {"map", false},
+                      {"map", has(kMapIndex)},
                       {"octree", has("edges.ot")},
                       {"trajectory", !run.trajectory().empty()},
                       {"global_trajectory", has(kGlobalTrajectory)},
-                      {"piste", run.is_run() && static_cast<bool>(options_.piste)}}}});
+                      {"piste", run.piste_method() != "none" && static_cast<bool>(options_.piste)}}}});
   }
   return {.body = std::make_shared<const std::string>(dump(list))};
 }
 
-std::optional<std::string> ViewApi::make(const ViewTarget& target) const {
+/// One thread reads a map, the others wait for it.
+std::shared_ptr<const MapLayer> ViewApi::find_map(std::size_t run) {
+  const std::lock_guard lock(map_mutex_);
+  if (!maps_[run] && runs_[run].is_run() && runs_[run].find_file(kMapIndex)) {
+    maps_[run] = std::make_shared<const MapLayer>(runs_[run].folder() / kMapFolder, origins_m_[run], stopping_);
+  }
+  return maps_[run];
+}
+
+std::optional<std::string> ViewApi::make(const ViewTarget& target) {
   const ShownRun& run = runs_[target.run];
   const Eigen::Vector3d& origin_m = origins_m_[target.run];
   switch (target.kind) {
@@ -183,8 +196,18 @@ std::optional<std::string> ViewApi::make(const ViewTarget& target) const {
       const auto file = run.is_run() ? run.find_file("edges.ot") : std::nullopt;
       return file ? std::optional(make_octree_payload(*file, origin_m)) : std::nullopt;
     }
+    case ViewTargetKind::map: {
+      const auto map = find_map(target.run);
+      return map ? std::optional(map->describe()) : std::nullopt;
+    }
+    case ViewTargetKind::tile: {
+      const auto map = find_map(target.run);
+      return map ? map->read(target.item) : std::nullopt;
+    }
     case ViewTargetKind::piste:
-      return options_.piste && target.item < run.size() ? options_.piste(run, target.item) : std::nullopt;
+      return options_.piste && run.piste_method() != "none" && target.item < run.size()
+                 ? options_.piste(run, target.item)
+                 : std::nullopt;
     default:
       return std::nullopt;
   }

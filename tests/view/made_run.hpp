@@ -40,7 +40,7 @@ inline void make_run(const std::filesystem::path& folder, const Eigen::Vector3d&
   spill(folder / "out" / "scans.csv", table);
   spill(folder / "out" / "run.json", R"({"schema": "berm.run/2",
     "recording": {"path": "recording", "first": 1, "scans": 4}, "counts": {"scans": {"selected": 3}},
-    "machine": {"machine": {"name": "car <b>"}, "sensor": {"model": "made"},
+    "machine": {"machine": {"name": "car <b>"}, "sensor": {"model": "made"}, "methods": {"piste": "default"},
                 "mount": {"height_m": 1.5, "pitch_deg": 0, "roll_deg": 0, "yaw_deg": 0, "x_m": 0, "y_m": 0}}})");
   spill(folder / "out" / "edges.csv",
         "line,side,x,y,z,confidence\n0,left,1,2,0.5,0.75\n0,left,2,2,0.5,1\n1,right,1,-2,0,0.5\n1,right,2,-2,0,0.5\n");

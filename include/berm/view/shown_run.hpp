@@ -39,6 +39,8 @@ class ShownRun {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] const std::string& machine() const { return machine_; }
   [[nodiscard]] const std::string& sensor() const { return sensor_; }
+  /// "none" for a recording.
+  [[nodiscard]] const std::string& piste_method() const { return piste_method_; }
   [[nodiscard]] const Pose& T_base_sensor() const { return T_base_sensor_; }
   [[nodiscard]] const Recording& recording() const { return recording_; }
   /// T_world_base; empty where it is not known.
@@ -69,6 +71,7 @@ class ShownRun {
   std::filesystem::path folder_;
   std::string machine_;
   std::string sensor_;
+  std::string piste_method_ = "none";
   Pose T_base_sensor_;
   Trajectory trajectory_;
   std::size_t first_ = 0;

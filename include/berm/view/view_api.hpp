@@ -1,7 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +19,8 @@
 #include "berm/view/target.hpp"
 
 namespace berm {
+
+class MapLayer;
 
 struct ViewRequest {
   bool reads = true;  ///< GET or HEAD
@@ -50,6 +55,9 @@ class ViewApi {
   /// Never throws but for want of memory: what goes wrong is an answer with the text of the error.
   [[nodiscard]] ViewAnswer answer(const ViewRequest& request);
 
+  /// Ends long answers early, for good; they become errors.
+  void stop() { stopping_ = true; }
+
   /// An error as the front end takes it.
   [[nodiscard]] static ViewAnswer refuse(unsigned status, std::string_view error, std::string_view hint);
 
@@ -61,7 +69,8 @@ class ViewApi {
   [[nodiscard]] ViewAnswer answer_page(const ViewTarget& target) const;
   [[nodiscard]] ViewAnswer answer_api(const ViewTarget& target);
   [[nodiscard]] ViewAnswer describe_runs() const;
-  [[nodiscard]] std::optional<std::string> make(const ViewTarget& target) const;
+  [[nodiscard]] std::optional<std::string> make(const ViewTarget& target);
+  [[nodiscard]] std::shared_ptr<const MapLayer> find_map(std::size_t run);
   [[nodiscard]] std::optional<std::string> make_edges(const ViewTarget& target) const;
 
   std::vector<ShownRun> runs_;
@@ -69,6 +78,9 @@ class ViewApi {
   Site site_;
   ViewOptions options_;
   PayloadCache cache_;
+  std::atomic<bool> stopping_ = false;
+  std::mutex map_mutex_;
+  std::vector<std::shared_ptr<const MapLayer>> maps_;  ///< by run, made when first asked for
 };
 
 }  // namespace berm
