@@ -13,7 +13,7 @@ namespace berm {
 struct FeatureOdometryConfig {
   // Which of the variants that P compares in its figure 23.
   std::string variant = "four_classes_capped";
-  int max_piste_planes = 600;  ///< P section 3 gives no number
+  int max_piste_planes = 1500;  ///< P gives no number: half of what a scan of the groomer has
   // Features.
   int neighbours = 2;               ///< LOAM-Livox
   double edge_curvature = 0.1;      ///< P eq. 10
@@ -41,7 +41,7 @@ struct FeatureOdometryConfig {
   double keep_m = 100.0;  ///< LOAM-Livox
 
   static void fields(auto&& field);
-  void check() const { check_fields(*this, "odometry"); }
+  void check() const { check_fields(*this, "odometry_reference"); }
 };
 
 /// The odometry as document P publishes it (`--method odometry=reference`): LOAM-Livox with features of four classes,

@@ -31,6 +31,14 @@ struct Knot {
   Pose T_world_base;
 };
 
+/// A part of the scan, of which the pose is searched.
+struct Piece {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+  Knot before;  ///< the pose that the displacement counts from
+  std::vector<TimedFeature> features;
+};
+
 /// On the line through two poses, also beyond them.
 Pose pose_at(const Knot& a, const Knot& b, Stamp stamp_ns) {
   const double step_s = to_seconds(b.stamp_ns - a.stamp_ns);
@@ -71,14 +79,6 @@ double last_time_s(const std::vector<Feature>& features) {
 
 }  // namespace
 
-/// A part of the scan, of which the pose is searched.
-struct Piece {
-  double begin_s = 0.0;
-  double end_s = 0.0;
-  Knot before;  ///< the pose that the displacement counts from
-  std::vector<TimedFeature> features;
-};
-
 struct FeatureOdometry::State {
   explicit State(const FeatureOdometryConfig& settings)
       : config(settings), map(settings), thin_edges(settings.edge_spacing_m), thin_planes(settings.plane_spacing_m) {}
@@ -95,7 +95,7 @@ struct FeatureOdometry::State {
   OdometryResult add(const OdometryInput& input);
   void fill(Piece& piece, const std::vector<Feature>& features, Stamp stamp_ns, Stamp knot_ns);
   [[nodiscard]] bool is_possible(const Displacement& displacement, double step_s) const;
-  Displacement match(const Piece& piece, double step_s, OdometryResult& result);
+  Displacement match(const Piece& piece, double step_s, OdometryResult& result) const;
 };
 
 /// The features of the piece, thinned by voxels, each class for itself, at their share of the time between the knots.
@@ -128,7 +128,7 @@ bool FeatureOdometry::State::is_possible(const Displacement& displacement, doubl
 }
 
 /// What the piece moved by; nothing where it is lost, as in LOAM-Livox.
-Displacement FeatureOdometry::State::match(const Piece& piece, double step_s, OdometryResult& result) {
+Displacement FeatureOdometry::State::match(const Piece& piece, double step_s, OdometryResult& result) const {
   const Registration found = register_features(piece.features, map, piece.before.T_world_base, config);
   result.inliers += found.inliers;
   result.iterations += found.iterations;
