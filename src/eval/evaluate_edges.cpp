@@ -56,14 +56,17 @@ bool are_of_other_worlds(const std::vector<PosePair>& pairs) {
 /// Where the machine was; empty, with the reason, if the run is in another world or nothing says where.
 std::vector<Eigen::Vector3d> find_path_m(const fs::path& run_folder, const Recording& recording, std::string& reason) {
   const auto truth = recording.read_truth_poses();
-  if (!is_there(run_folder / "trajectory.tum")) {
+  // With fixes, edges lie in their world, and trajectory.tum begins at the first scan.
+  const bool is_joined = is_there(run_folder / "trajectory_global.tum");
+  const fs::path file = run_folder / (is_joined ? "trajectory_global.tum" : "trajectory.tum");
+  if (!is_there(file)) {
     reason = "neither trajectory.tum of the run nor truth.tum says where the machine was";
     return truth ? places_m(*truth) : std::vector<Eigen::Vector3d>();
   }
-  const Trajectory driven = read_tum(run_folder / "trajectory.tum");
+  const Trajectory driven = read_tum(file);
   const std::vector<PosePair> pairs = truth ? pair_poses(driven, *truth) : std::vector<PosePair>();
   if (pairs.empty()) {
-    reason = "trajectory.tum of the run is empty";
+    reason = file.filename().string() + " of the run is empty";
     return places_m(driven);
   }
   if (are_of_other_worlds(pairs)) {

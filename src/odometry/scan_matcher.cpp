@@ -73,7 +73,7 @@ struct PriorTerms {
   Matrix6d of_displacement = Matrix6d::Zero();  ///< information on the displacement, axes of the world
 };
 
-PriorTerms prior_terms(const MotionPrior& prior, const ScanMotion& motion, const Eigen::Vector3d& center_m) {
+PriorTerms prior_terms(const MotionPrior& prior, const ScanPoses& motion, const Eigen::Vector3d& center_m) {
   PriorTerms terms;
   const Matrix6d begin = lever(motion.T_world_begin.translation_m(), center_m);
   const Matrix6d end = lever(motion.T_world_end.translation_m(), center_m);
@@ -118,7 +118,7 @@ struct ScanMatcher::Equations {
   [[nodiscard]] Matrix6d rigid() const { return begin + 2.0 * mixed + end; }
 };
 
-void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const SurfaceMap& map, const MotionSteps& steps) {
+void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const SurfaceMap& map, const PoseSteps& steps) {
   pulls_.clear();
   const double noise_m2 = config_.noise_m * config_.noise_m;
   // The rings of a sensor lie at the same height on a wall wherever the machine is: clouds say nothing of height.
@@ -162,7 +162,7 @@ void ScanMatcher::add_cloud(const Pull& pull, const Eigen::Vector3d& world_m, co
   equations.inliers += sigmas_squared < kGate * kGate ? 1U : 0U;
 }
 
-ScanMatcher::Equations ScanMatcher::weigh(const MotionSteps& steps, const Eigen::Vector3d& center_m,
+ScanMatcher::Equations ScanMatcher::weigh(const PoseSteps& steps, const Eigen::Vector3d& center_m,
                                           double gate) const {
   Equations equations;
   for (const Pull& pull : pulls_) {
@@ -184,10 +184,10 @@ ScanMatcher::Equations ScanMatcher::weigh(const MotionSteps& steps, const Eigen:
 
 ScanMatch ScanMatcher::match(std::span<const ScanPoint> samples, const SurfaceMap& map, const MotionPrior& prior) {
   ScanMatch result{.motion = prior.expected};
-  ScanMotion& motion = result.motion;
+  ScanPoses& motion = result.motion;
   double gate = kFirstGate;
   for (std::size_t i = 0; i < kLookups * kStepsPerLookup; ++i) {
-    const MotionSteps steps(motion);
+    const PoseSteps steps(motion);
     if (i % kStepsPerLookup == 0) {
       find_pulls(samples, map, steps);
     }

@@ -6,7 +6,7 @@
 
 #include "berm/odometry/odometry.hpp"
 #include "berm/odometry/surface_odometry.hpp"
-#include "scan_motion.hpp"
+#include "scan_poses.hpp"
 #include "scan_points.hpp"
 #include "surface_map.hpp"
 
@@ -14,13 +14,13 @@ namespace berm {
 
 /// What is expected of a scan's motion before the scan is looked at, and how surely.
 struct MotionPrior {
-  ScanMotion expected;
+  ScanPoses expected;
   Vector6d begin_sigma;         ///< of T_world_begin, along the axes of the world
   Vector6d displacement_sigma;  ///< of the displacement during the scan, frame of the base
 };
 
 struct ScanMatch {
-  ScanMotion motion;
+  ScanPoses motion;
   Matrix6d covariance = Matrix6d::Zero();  ///< of T_world_end
   double weakest = 0.0;
   std::size_t inliers = 0;
@@ -49,8 +49,8 @@ class ScanMatcher {
   /// Normal equations of both poses; those of begin and end share their blocks.
   struct Equations;
 
-  void find_pulls(std::span<const ScanPoint> samples, const SurfaceMap& map, const MotionSteps& steps);
-  [[nodiscard]] Equations weigh(const MotionSteps& steps, const Eigen::Vector3d& center_m, double gate) const;
+  void find_pulls(std::span<const ScanPoint> samples, const SurfaceMap& map, const PoseSteps& steps);
+  [[nodiscard]] Equations weigh(const PoseSteps& steps, const Eigen::Vector3d& center_m, double gate) const;
   static void add_plane(const Pull& pull, const Eigen::Vector3d& world_m, const Eigen::Vector3d& center_m, double gate,
                         Equations& equations);
   static void add_cloud(const Pull& pull, const Eigen::Vector3d& world_m, const Eigen::Vector3d& center_m, double gate,

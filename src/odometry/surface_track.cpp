@@ -58,7 +58,7 @@ MotionPrior SurfaceTrack::expect(double gap_s, double duration_s) const {
   return prior;
 }
 
-Vector6d SurfaceTrack::velocity_to(const ScanMotion& motion, double time_s) const {
+Vector6d SurfaceTrack::velocity_to(const ScanPoses& motion, double time_s) const {
   return (T_world_end_.inverse() * motion.T_world_end).log() / time_s;
 }
 
@@ -80,7 +80,7 @@ OdometryResult SurfaceTrack::add(const ScanThinner& scan, std::span<const ScanPo
   const double gap_s = end_ns_ ? std::max(0.0, to_seconds(stamp_ns - *end_ns_)) : 0.0;
   const MotionPrior prior = expect(gap_s, duration_s);
   OdometryResult result{.duration_s = duration_s, .samples = samples.size()};
-  ScanMotion motion = prior.expected;
+  ScanPoses motion = prior.expected;
   if (mapped_ > 0) {
     const bool is_second = !first_scan_.empty() && gap_s + first_duration_s_ > 0.0;
     const ScanMatch match = is_second ? match_second(samples, gap_s, duration_s) : matcher_.match(samples, map_, prior);
@@ -119,7 +119,7 @@ OdometryResult SurfaceTrack::add(const ScanThinner& scan, std::span<const ScanPo
   return result;
 }
 
-bool SurfaceTrack::is_worth_mapping(const ScanMotion& motion) const {
+bool SurfaceTrack::is_worth_mapping(const ScanPoses& motion) const {
   if (mapped_ < kFullMap || !T_world_mapped_) {
     return true;
   }
@@ -127,8 +127,8 @@ bool SurfaceTrack::is_worth_mapping(const ScanMotion& motion) const {
   return way.head<3>().norm() >= kMoved_m || way.tail<3>().norm() >= kTurned_rad;
 }
 
-void SurfaceTrack::put_into_map(std::span<const ScanPoint> points, const ScanMotion& motion) {
-  const MotionSteps steps(motion);
+void SurfaceTrack::put_into_map(std::span<const ScanPoint> points, const ScanPoses& motion) {
+  const PoseSteps steps(motion);
   for (const ScanPoint& point : points) {
     map_.add(steps.to_world(point.base_m, point.share), point.is_ground);
   }

@@ -6,7 +6,7 @@
 
 #include "berm/odometry/odometry.hpp"
 #include "scan_matcher.hpp"
-#include "scan_motion.hpp"
+#include "scan_poses.hpp"
 #include "scan_points.hpp"
 #include "surface_map.hpp"
 
@@ -38,9 +38,9 @@ class SurfaceTrack {
   [[nodiscard]] MotionPrior expect(double gap_s, double duration_s) const;
   /// Matches the second scan, which tells how the machine moved during the first: that is put into the map anew.
   [[nodiscard]] ScanMatch match_second(std::span<const ScanPoint> samples, double gap_s, double duration_s);
-  [[nodiscard]] Vector6d velocity_to(const ScanMotion& motion, double time_s) const;
-  void put_into_map(std::span<const ScanPoint> points, const ScanMotion& motion);
-  [[nodiscard]] bool is_worth_mapping(const ScanMotion& motion) const;
+  [[nodiscard]] Vector6d velocity_to(const ScanPoses& motion, double time_s) const;
+  void put_into_map(std::span<const ScanPoint> points, const ScanPoses& motion);
+  [[nodiscard]] bool is_worth_mapping(const ScanPoses& motion) const;
 
   SurfaceOdometryConfig config_;
   StartGuess guess_;

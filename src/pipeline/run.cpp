@@ -20,6 +20,7 @@
 #include "berm/io/trajectory_file.hpp"
 #include "berm/pipeline/pipeline.hpp"
 #include "run_edges.hpp"
+#include "run_odometry.hpp"
 #include "run_report.hpp"
 #include "run_surface.hpp"
 #include "scan_table.hpp"
@@ -73,7 +74,10 @@ class Run {
         threads_(std::max<std::size_t>(1, options.threads)),
         T_base_sensor_(machine.mount.T_base_sensor()),
         edges_(recording, machine, options, selected_count(recording, options)),
-        surface_(machine, options, edges_.poses() ? &*edges_.poses() : nullptr) {
+        odometry_(machine),
+        surface_(machine, options, edges_.poses() ? &*edges_.poses() : nullptr),
+        maps_follow_(odometry_.is_on() && !edges_.poses() &&
+                     (machine.methods.edge != "none" || machine.mapping.surface)) {
     summary_.counts.selected = selected_count(recording, options);
     summary_.notes = recording.notes();
     summary_.notes.insert(summary_.notes.end(), options.notes.begin(), options.notes.end());
@@ -100,7 +104,15 @@ class Run {
       throw Error(ErrorCode::malformed, fmt::format("no scan of {} could be read; the first: {}",
                                                     recording_.path().string(), summary_.skipped.front().reason));
     }
-    const RunFiles files = write_files(output);
+    RunFiles files = {{"labels", "labels"}, {"scans", "scans.csv"}, {"times", "times.csv"}};
+    write_odometry(output, files);
+    if (maps_follow_) {
+      make_maps(output);
+      if (summary_.interrupted) {
+        return std::move(summary_);
+      }
+    }
+    write_files(output, files);
     summary_.mount = mount_.summarize();
     note_mount();
     times_.wall_s = clock.stop().wall_ms * 1e-3;
@@ -134,10 +146,17 @@ class Run {
     }
   }
 
-  /// All but run.json.
-  RunFiles write_files(const OutputFolder& output) {
-    RunFiles files = {{"labels", "labels"}, {"scans", "scans.csv"}, {"times", "times.csv"}};
-    if (edges_.poses() && !edges_.poses()->trajectory.empty()) {
+  void write_odometry(const OutputFolder& output, RunFiles& files) {
+    if (odometry_.is_on()) {
+      odometry_.write(output, files, summary_);
+      const bool has_fixes = edges_.poses() && !edges_.poses()->trajectory.empty();
+      odometry_.join(has_fixes ? &*edges_.poses() : nullptr, output, files, summary_);
+    }
+  }
+
+  /// The rest, but for run.json.
+  void write_files(const OutputFolder& output, RunFiles& files) {
+    if (!odometry_.is_on() && edges_.poses() && !edges_.poses()->trajectory.empty()) {
       write_tum(output / "trajectory.tum", trajectory_);
       files.emplace_back("trajectory", "trajectory.tum");
       note_missing_poses();
@@ -154,7 +173,39 @@ class Run {
       edge_table_->commit();
       files.emplace_back("edge_points", "edge_points.csv");
     }
-    return files;
+  }
+
+  /// The odometry revises the poses of its start, and a map must not be made of poses that were wrong: so a recording
+  /// that brings no poses is read and labelled a second time, once they are known.
+  void make_maps(const OutputFolder& output) {
+    edges_.use_odometry(recording_, odometry_.trusted(), summary_.counts.selected);
+    surface_.use(*edges_.poses());
+    if (surface_.is_on()) {
+      surface_.open(output);
+    }
+    OrderedParallel<Job> work(
+        summary_.counts.selected, threads_,
+        [this](std::size_t worker, std::size_t index, Job& job) { label(*pipelines_[worker], index, job); },
+        [this](std::size_t index, Job& job) {
+          if (!job.failure) {
+            if (const auto time = add_to_map(job)) {
+              times_.map.add(*time);
+            }
+            add_to_surface(job);
+          }
+          return go_on(summary_.counts.selected + index + 1);
+        });
+    work.run();
+  }
+
+  /// Tells of progress; false if the run is to end early.
+  bool go_on(std::size_t done) {
+    const std::size_t total = summary_.counts.selected * (maps_follow_ ? 2 : 1);
+    if (options_.on_progress) {
+      options_.on_progress(done, total);
+    }
+    summary_.interrupted = done < total && options_.should_stop && options_.should_stop();
+    return !summary_.interrupted;
   }
 
   void process_scans() {
@@ -218,17 +269,17 @@ class Run {
       }
       const StageTime write = clock.stop();
       add_times(name, job.scan.stamp_ns,
-                {.read = job.read, .stages = job.stages, .map = add_to_map(job), .write = write});
+                {.read = job.read,
+                 .stages = job.stages,
+                 .odometry = follow(name, job),
+                 .map = add_to_map(job),
+                 .write = write});
       add_to_surface(job);
       count(job);
       mount_.add(job.mount);
       add_pose(job.scan.stamp_ns);
     }
-    if (options_.on_progress) {
-      options_.on_progress(index + 1, summary_.counts.selected);
-    }
-    summary_.interrupted = index + 1 < summary_.counts.selected && options_.should_stop && options_.should_stop();
-    return !summary_.interrupted;
+    return go_on(index + 1);
   }
 
   void skip(const std::string& name, const std::string& reason) {
@@ -242,6 +293,9 @@ class Run {
     RunCounts& counts = summary_.counts;
     const LabelCounts& labels = job.figures.counts;
     ++counts.labelled;
+    if (summary_.edges) {
+      summary_.edges->points += job.edges.size();
+    }
     counts.points += job.labels.size();
     counts.drivable += labels.drivable;
     counts.terrain += labels.terrain;
@@ -254,11 +308,18 @@ class Run {
     }
   }
 
+  /// What it cost; nothing without an odometry method.
+  std::optional<StageTime> follow(const std::string& name, const Job& job) {
+    if (!odometry_.is_on()) {
+      return std::nullopt;
+    }
+    const StageClock clock;
+    odometry_.add(name, job.scan, job.labels);
+    return clock.stop();
+  }
+
   /// What it cost; nothing without a map.
   std::optional<StageTime> add_to_map(const Job& job) {
-    if (summary_.edges) {
-      summary_.edges->points += job.edges.size();
-    }
     if (!edges_.has_map()) {
       return std::nullopt;
     }
@@ -284,6 +345,9 @@ class Run {
         times_.stages[stage].add(*times.stages[stage]);
       }
     }
+    if (times.odometry) {
+      times_.odometry.add(*times.odometry);
+    }
     if (times.map) {
       times_.map.add(*times.map);
     }
@@ -292,7 +356,7 @@ class Run {
   }
 
   void add_pose(Stamp stamp_ns) {
-    if (!edges_.poses()) {
+    if (!edges_.poses() || odometry_.is_on()) {
       return;
     }
     const bool in_order = trajectory_.empty() || stamp_ns > trajectory_.poses().back().stamp_ns;
@@ -342,7 +406,9 @@ class Run {
   std::size_t threads_;
   Pose T_base_sensor_;
   RunEdges edges_;
+  RunOdometry odometry_;
   RunSurface surface_;
+  const bool maps_follow_;  ///< made with the poses of the odometry, once all are known
   std::vector<std::unique_ptr<Pipeline>> pipelines_;
   OutputFolder* output_ = nullptr;
   std::optional<ScanTable> scan_table_;

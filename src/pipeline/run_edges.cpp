@@ -130,13 +130,23 @@ RunEdges::RunEdges(const Recording& recording, const Machine& machine, const Run
     throw Error(ErrorCode::invalid_argument,
                 "a map cannot be continued without poses that share the time of the scans; name a file with --poses");
   }
+  if (!poses_ && machine.methods.odometry != "none") {
+    return;  // its poses follow
+  }
   notes_.emplace_back(
       "no map of the road edges was written, since there are no poses: put gnss.tum, gnss.csv or gnss.nmea beside the "
       "scans, or name a file with --poses");
 }
 
+void RunEdges::use_odometry(const Recording& recording, const Trajectory& T_world_base, std::size_t selected) {
+  poses_ = RunPoses{.trajectory = T_world_base};
+  if (machine_.methods.edge != "none") {
+    start_map(recording, std::nullopt, selected);
+  }
+}
+
 void RunEdges::start_map(const Recording& recording, std::optional<EdgeMap> old, std::size_t selected) {
-  const std::string world = world_name(poses_->datum);
+  const std::string& world = poses_->world;
   if (old && old->world() != world) {
     refuse_map(options_.map, fmt::format("holds {}, this run is in {}; they cannot be put together. Where the world "
                                          "begins is said by the section datum of the machine",
@@ -151,7 +161,7 @@ void RunEdges::start_map(const Recording& recording, std::optional<EdgeMap> old,
 
 void RunEdges::finish(const OutputFolder& output, RunFiles& files, RunSummary& summary) const {
   summary.notes.insert(summary.notes.end(), notes_.begin(), notes_.end());
-  if (poses_) {
+  if (poses_ && !poses_->file.empty()) {
     summary.poses = PoseFigures{
         .file = poses_->file.string(), .poses = poses_->trajectory.size(), .datum = poses_->datum, .log = poses_->log};
     const PoseGuard guard =

@@ -30,6 +30,8 @@ class RunEdges {
   ~RunEdges() = default;
 
   [[nodiscard]] const std::optional<RunPoses>& poses() const { return poses_; }
+  /// For a recording without poses, after all its scans: from now on there is a map if there is an edge method.
+  void use_odometry(const Recording& recording, const Trajectory& T_world_base, std::size_t selected);
   [[nodiscard]] bool has_map() const { return mapper_.has_value(); }
 
   /// As `RoadMapper::place`. Only with a map.

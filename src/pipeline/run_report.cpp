@@ -79,6 +79,9 @@ Json describe(const RunTimes& times) {
       json[std::string(to_string(static_cast<Stage>(stage)))] = describe(times.stages[stage]);
     }
   }
+  if (times.odometry.count() > 0) {
+    json["odometry"] = describe(times.odometry);
+  }
   if (times.map.count() > 0) {
     json["map"] = describe(times.map);
   }
@@ -87,6 +90,18 @@ Json describe(const RunTimes& times) {
   }
   json["write"] = describe(times.write);
   return json;
+}
+
+Json describe(const OdometryCounts& counts) {
+  Json health = Json::object();
+  for (std::size_t kind = 0; kind < kOdometryHealths; ++kind) {
+    health[std::string(health_name(static_cast<OdometryHealth>(kind)))] = counts.health[kind];
+  }
+  return {{"scans", counts.scans},
+          {"health", health},
+          {"sessions", counts.sessions},
+          {"out_of_order", counts.out_of_order},
+          {"path_m", std::round(counts.path_m * 1e3) / 1e3}};
 }
 
 Json describe(const Recording& recording, const RunOptions& options) {
@@ -117,9 +132,28 @@ OutputResults run_results() {
   return {"run",
           "run.json",
           std::string("\"schema\": \"") + kRunSchemaName,
-          {"trajectory.tum", "scans.csv", "times.csv", "report.html", "boundary.csv", "edge_points.csv", "edges.ot",
-           "edges.csv", "edges.geojson", "edges.gpkg", "edges.dxf", "road.csv", "map.pcd", "elevation.tif", "elevation.asc", "elevation_slope.asc",
-           "elevation_sigma.asc", "elevation_count.asc", "elevation_depth.asc"},
+          {"trajectory.tum",
+           "odometry.csv",
+           "trajectory_global.tum",
+           "trajectory_global.csv",
+           "scans.csv",
+           "times.csv",
+           "report.html",
+           "boundary.csv",
+           "edge_points.csv",
+           "edges.ot",
+           "edges.csv",
+           "edges.geojson",
+           "edges.gpkg",
+           "edges.dxf",
+           "road.csv",
+           "map.pcd",
+           "elevation.tif",
+           "elevation.asc",
+           "elevation_slope.asc",
+           "elevation_sigma.asc",
+           "elevation_count.asc",
+           "elevation_depth.asc"},
           {{"labels", ".label"}, {"map", ".pcd", true}, {"map", ".json", true}}};
 }
 
@@ -142,6 +176,9 @@ std::string write_run_report(const Recording& recording, const Machine& machine,
                  {"counts", describe(summary.counts)}};
   if (summary.poses) {
     report["poses"] = to_json(*summary.poses);
+  }
+  if (summary.odometry) {
+    report["odometry"] = describe(*summary.odometry);
   }
   if (summary.edges) {
     report["edges"] = to_json(*summary.edges);

@@ -22,6 +22,7 @@ inline constexpr int kRunSchemaVersion = 2;
 struct RunTimes {
   StageTimes read;
   std::array<StageTimes, kStages> stages;  ///< nothing in those that the machine leaves out
+  StageTimes odometry;                     ///< nothing without an odometry method
   StageTimes map;                          ///< nothing without a map
   StageTimes surface;                      ///< nothing without a map of the surface
   StageTimes write;

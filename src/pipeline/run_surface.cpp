@@ -52,20 +52,29 @@ class RunSurface::Tiles final : public SurfaceStore {
   SurfaceFolder folder_;
 };
 
-RunSurface::RunSurface(const Machine& machine, const RunOptions& options, const RunPoses* poses) : machine_(machine) {
-  if (!machine.mapping.surface) {
+RunSurface::RunSurface(const Machine& machine, const RunOptions& options, const RunPoses* poses)
+    : machine_(machine), options_(options) {
+  if (poses != nullptr) {
+    use(*poses);
+  } else if (machine.mapping.surface && machine.methods.odometry == "none") {
+    notes_.emplace_back("no map of the surface was written, since there are no poses");
+  }
+}
+
+void RunSurface::use(const RunPoses& poses) {
+  if (!machine_.mapping.surface) {
     return;
   }
-  if (poses == nullptr || poses->trajectory.empty()) {
+  if (poses.trajectory.empty()) {
     notes_.emplace_back("no map of the surface was written, since there are no poses");
     return;
   }
-  const fs::path terrain = options.terrain.empty() ? fs::path(machine.mapping.terrain) : options.terrain;
+  const fs::path terrain = options_.terrain.empty() ? fs::path(machine_.mapping.terrain) : options_.terrain;
   if (!terrain.empty()) {
-    terrain_ = TerrainModel::read(terrain, poses->datum, machine.mapping.terrain_offset_m);
+    terrain_ = TerrainModel::read(terrain, poses.datum, machine_.mapping.terrain_offset_m);
   }
-  guard_ = PoseGuard(poses->trajectory, machine.pose_guard, poses->poor_fix_stamps);
-  poses_ = poses;
+  guard_ = PoseGuard(poses.trajectory, machine_.pose_guard, poses.poor_fix_stamps);
+  poses_ = &poses;
 }
 
 RunSurface::~RunSurface() = default;

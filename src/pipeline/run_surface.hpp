@@ -28,6 +28,8 @@ class RunSurface {
   RunSurface& operator=(const RunSurface&) = delete;
   ~RunSurface();
 
+  /// For a recording without poses, once the odometry has told them. As the constructor.
+  void use(const RunPoses& poses);
   [[nodiscard]] bool is_on() const { return poses_ != nullptr; }
 
   /// Takes a scan to the world. For any thread: writes to `placed` alone. Only if it is on, as all below.
@@ -43,6 +45,7 @@ class RunSurface {
   class Tiles;
 
   const Machine& machine_;
+  const RunOptions& options_;
   const RunPoses* poses_ = nullptr;
   PoseGuard guard_;
   std::optional<TerrainModel> terrain_;

@@ -20,7 +20,7 @@ TimesTable::TimesTable(const std::filesystem::path& path) : file_(path) {
   for (std::size_t stage = 0; stage < kStages; ++stage) {
     header += fmt::format(",{}_ms", to_string(static_cast<Stage>(stage)));
   }
-  file_.write(header + ",map_ms,write_ms\n");
+  file_.write(header + ",odometry_ms,map_ms,write_ms\n");
 }
 
 void TimesTable::add(const std::string& name, Stamp stamp_ns, const ScanTimes& times) {
@@ -28,7 +28,7 @@ void TimesTable::add(const std::string& name, Stamp stamp_ns, const ScanTimes& t
   for (const std::optional<StageTime>& stage : times.stages) {
     line += field(stage);
   }
-  file_.write(line + field(times.map) + field(times.write) + "\n");
+  file_.write(line + field(times.odometry) + field(times.map) + field(times.write) + "\n");
 }
 
 }  // namespace berm

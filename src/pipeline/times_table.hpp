@@ -16,6 +16,7 @@ namespace berm {
 struct ScanTimes {
   StageTime read;
   std::array<std::optional<StageTime>, kStages> stages;
+  std::optional<StageTime> odometry;
   std::optional<StageTime> map;
   StageTime write;
 };

@@ -21,6 +21,7 @@ enum class OdometryHealth : std::uint8_t {
   weak,      ///< in at least one direction the scan says next to nothing, and the motion before it decides
   lost,      ///< the scan does not fit the map, or says too little: the pose is that of the motion before it
 };
+inline constexpr std::size_t kOdometryHealths = 4;
 /// "good", "starting", "weak", "lost".
 [[nodiscard]] std::string_view health_name(OdometryHealth health);
 

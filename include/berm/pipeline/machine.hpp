@@ -19,6 +19,8 @@
 #include "berm/map/edge_map.hpp"
 #include "berm/map/road_survey.hpp"
 #include "berm/map/surface_tiles.hpp"
+#include "berm/odometry/pose_graph.hpp"
+#include "berm/odometry/surface_odometry.hpp"
 #include "berm/piste/boundary_piste.hpp"
 #include "berm/piste/envelope_piste.hpp"
 #include "berm/snow/box_snow.hpp"
@@ -55,6 +57,7 @@ struct MethodConfig {
   std::string ground = "default";
   std::string piste = "none";
   std::string edge = "none";
+  std::string odometry = "none";
 
   static void fields(auto&& field) {
     field("snow", &MethodConfig::snow, Choices{{"none", "default", "reference"}},
@@ -65,6 +68,8 @@ struct MethodConfig {
           "default finds the piste by its boundary, reference is method P as published");
     field("edge", &MethodConfig::edge, Choices{{"none", "default", "reference"}},
           "default finds the edges of a road by the traces of the beams, reference is method E as published");
+    field("odometry", &MethodConfig::odometry, Choices{{"none", "default"}},
+          "default finds where the machine is by the surfaces around it");
   }
   void check() const { check_fields(*this, "methods"); }
 };
@@ -84,6 +89,8 @@ struct Machine {
   EnvelopePisteConfig piste_reference;
   TraceEdgesConfig edge;
   RingEdgesConfig edge_reference;
+  SurfaceOdometryConfig odometry;
+  PoseGraphConfig pose_graph;
   EdgeMapConfig map;
   EdgeLinesConfig lines;
   RoadConfig road;
@@ -106,6 +113,8 @@ struct Machine {
     section("piste_reference", &Machine::piste_reference);
     section("edge", &Machine::edge);
     section("edge_reference", &Machine::edge_reference);
+    section("odometry", &Machine::odometry);
+    section("pose_graph", &Machine::pose_graph);
     section("map", &Machine::map);
     section("lines", &Machine::lines);
     section("road", &Machine::road);

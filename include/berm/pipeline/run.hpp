@@ -14,6 +14,7 @@
 #include "berm/io/datum.hpp"
 #include "berm/io/pose_log.hpp"
 #include "berm/io/recording.hpp"
+#include "berm/odometry/odometry.hpp"
 #include "berm/pipeline/machine.hpp"
 #include "berm/pipeline/mount_check.hpp"
 #include "berm/pipeline/scan_result.hpp"
@@ -72,6 +73,15 @@ struct PoseFigures {
   std::array<double, kPoseTrusts> distrusted_s{};  ///< time without trust, by PoseTrust
 };
 
+/// What the odometry says of its poses.
+struct OdometryCounts {
+  std::size_t scans = 0;
+  std::array<std::size_t, kOdometryHealths> health{};  ///< scans in each, by OdometryHealth
+  std::size_t sessions = 0;                            ///< more than one: it was lost for good and began anew
+  std::size_t out_of_order = 0;                        ///< scans that were left out
+  double path_m = 0.0;
+};
+
 /// Values of RuleVerdict.
 inline constexpr std::size_t kRuleVerdicts = 4;
 
@@ -116,9 +126,10 @@ struct SurfaceCounts {
 struct RunSummary {
   RunCounts counts;
   std::optional<PoseFigures> poses;
-  std::optional<EdgeCounts> edges;   ///< with an edge method
-  std::optional<SurfaceCounts> surface;  ///< where one was made
-  std::vector<SkippedScan> skipped;  ///< the first `kListedSkips`
+  std::optional<OdometryCounts> odometry;  ///< with an odometry method
+  std::optional<EdgeCounts> edges;         ///< with an edge method
+  std::optional<SurfaceCounts> surface;    ///< where one was made
+  std::vector<SkippedScan> skipped;        ///< the first `kListedSkips`
   std::vector<std::string> notes;
   MountSummary mount;
   bool interrupted = false;  ///< `should_stop` ended it: run.json was not written

@@ -17,7 +17,7 @@ constexpr double kUpright_rad = 0.3;
 /// The scale of the losses falls so fast, with so many steps of the solver each time: enough to follow.
 constexpr double kNarrowing = 4.0;
 constexpr int kStepsPerStage = 4;
-constexpr int kLastSteps = 40;
+constexpr int kManySteps = 40;
 /// What is so many times the scale off has hardly any weight left, a quarter, and is called outvoted.
 constexpr double kOutvoted = 1.7;
 /// An attitude of GNSS is one of a filter: off for minutes where it is off.
@@ -53,8 +53,9 @@ class Graph {
     for (auto scale = scales.rbegin(); scale != scales.rend(); ++scale) {
       loss_.set_scale(*scale);
       attitude_loss_.set_scale(kAttitudeFactor * *scale);
+      const bool is_first = scale == scales.rbegin();
       const bool is_last = std::next(scale) == scales.rend();
-      take_steps(is_last ? kLastSteps : kStepsPerStage);
+      take_steps(is_first || is_last ? kManySteps : kStepsPerStage);
     }
   }
 

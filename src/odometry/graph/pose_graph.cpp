@@ -19,6 +19,9 @@ namespace {
 /// Fixes that scatter by more around any path the odometry can have driven are not of this drive, whatever they say of
 /// themselves.
 constexpr double kStrange_m = 3.0;
+/// A path that is off by more, laid into the world as a whole, starts in parts: over 10 km an odometry turns so far
+/// that no solver gets it straight from there.
+constexpr double kBent_m = 10.0;
 
 std::string text(double value, int digits) {
   std::array<char, 64> buffer{};
@@ -68,7 +71,10 @@ class PoseGraph {
       keep_odometry();
       return std::move(result_);
     }
-    const std::vector<Pose> start = start_poses(alignments);
+    std::vector<Pose> start = start_poses(alignments);
+    if (farthest_m(groups, start) > kBent_m) {
+      bend(alignments, start);
+    }
     const std::vector<NodeClosure> closures = node_closures();
     const GraphSolution solution =
         solve_graph({.chain = chain_, .groups = groups.groups, .closures = closures, .start = start}, config_);
@@ -110,9 +116,43 @@ class PoseGraph {
     for (const std::size_t fix : groups.jumped) {
       fates_[fix] = FixFate::jump;
     }
+    keep_local(seen, windows, fits);
     if (groups.jumps > 0) {
       result_.notes.push_back("fixes jump " + std::to_string(groups.jumps) + " times");
     }
+  }
+
+  /// Windows whose fixes are not behind a jump, and that know how they are turned.
+  void keep_local(std::span<const SeenFix> seen, std::span<const FixWindow> windows, std::span<const WindowFit> fits) {
+    for (std::size_t w = 0; w < windows.size(); ++w) {
+      const SeenFix& middle = seen[windows[w].first + windows[w].count / 2];
+      if (fits[w].has_heading() && fates_[middle.fix] != FixFate::jump) {
+        local_.push_back({middle.step, fits[w].T_world_odom});
+      }
+    }
+  }
+
+  /// How the frame of the odometry lies in the world near a step, as the nearest window has it; `anywhere` where there
+  /// is none of the same session.
+  [[nodiscard]] Pose nearest_local(std::size_t step, const Pose& anywhere) const {
+    const auto after = std::lower_bound(local_.begin(), local_.end(), step,
+                                        [](const Local& local, std::size_t s) { return local.step < s; });
+    const Local* nearest = nullptr;
+    double nearest_m = 0.0;
+    const auto consider = [&](const Local& local) {
+      const double way_m = std::abs(path_m_[local.step] - path_m_[step]);
+      if (odometry_[local.step].session == odometry_[step].session && (nearest == nullptr || way_m < nearest_m)) {
+        nearest = &local;
+        nearest_m = way_m;
+      }
+    };
+    if (after != local_.end()) {
+      consider(*after);
+    }
+    if (after != local_.begin()) {
+      consider(*(after - 1));
+    }
+    return nearest != nullptr ? nearest->T_world_odom : anywhere;
   }
 
   [[nodiscard]] std::vector<std::size_t> finite_fixes() {
@@ -229,6 +269,24 @@ class PoseGraph {
     return poses;
   }
 
+  [[nodiscard]] static double farthest_m(const FixGroups& groups, std::span<const Pose> start) {
+    double farthest_m = 0.0;
+    for (const FixGroup& group : groups.groups) {
+      farthest_m = std::max(farthest_m, (start[group.node] * group.antenna_m - group.position_m).norm());
+    }
+    return farthest_m;
+  }
+
+  /// Lays every part of the path where the fixes near it have it.
+  void bend(const std::vector<std::optional<Alignment>>& alignments, std::vector<Pose>& start) const {
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const OdometryStep& step = odometry_[chain_.steps[i]];
+      if (step.session < alignments.size() && alignments[step.session]) {
+        start[i] = nearest_local(chain_.steps[i], alignments[step.session]->T_world_odom) * step.T_odom_base;
+      }
+    }
+  }
+
   [[nodiscard]] std::size_t node_before(std::size_t step) const {
     const auto after = std::upper_bound(chain_.steps.begin(), chain_.steps.end(), step);
     return static_cast<std::size_t>(after - chain_.steps.begin()) - 1;
@@ -318,7 +376,12 @@ class PoseGraph {
   std::vector<double> path_m_;
   GraphChain chain_;
   std::vector<FixFate> fates_;
-  std::vector<Fix> near_;  ///< fixes, the first of them at the origin
+  struct Local {
+    std::size_t step = 0;
+    Pose T_world_odom;
+  };
+  std::vector<Local> local_;  ///< steps rise
+  std::vector<Fix> near_;     ///< fixes, the first of them at the origin
   Eigen::Vector3d origin_m_ = Eigen::Vector3d::Zero();
   PoseGraphResult result_;
 };

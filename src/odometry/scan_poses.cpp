@@ -1,8 +1,8 @@
-#include "scan_motion.hpp"
+#include "scan_poses.hpp"
 
 namespace berm {
 
-MotionSteps::MotionSteps(const ScanMotion& motion) {
+PoseSteps::PoseSteps(const ScanPoses& motion) {
   const Vector6d displacement = motion.displacement();
   for (std::size_t i = 0; i <= kSteps; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(kSteps);

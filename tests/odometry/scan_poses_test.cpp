@@ -1,4 +1,4 @@
-#include "scan_motion.hpp"
+#include "scan_poses.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -13,10 +13,10 @@ Pose any_pose() {
   return Pose::exp(twist);
 }
 
-TEST(ScanMotion, StepsEndWhereTheMotionDoes) {
+TEST(ScanPoses, StepsEndWhereTheMotionDoes) {
   EXPECT_TRUE(rc::check([] {
-    const ScanMotion motion{any_pose(), any_pose()};
-    const MotionSteps steps(motion);
+    const ScanPoses motion{any_pose(), any_pose()};
+    const PoseSteps steps(motion);
     const Eigen::Vector3d point_m(1.0, 2.0, 3.0);
     RC_ASSERT((steps.to_world(point_m, 0.0) - motion.T_world_begin * point_m).norm() < 1e-9);
     RC_ASSERT((steps.to_world(point_m, 1.0) - motion.T_world_end * point_m).norm() < 1e-9);
@@ -25,7 +25,7 @@ TEST(ScanMotion, StepsEndWhereTheMotionDoes) {
   }));
 }
 
-TEST(ScanMotion, MovedTurnsAboutTheCenter) {
+TEST(ScanPoses, MovedTurnsAboutTheCenter) {
   EXPECT_TRUE(rc::check([] {
     const Pose T_world_base = any_pose();
     const Eigen::Vector3d center_m = any_pose().translation_m();

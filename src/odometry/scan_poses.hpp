@@ -10,7 +10,7 @@
 namespace berm {
 
 /// How the base moved during a scan: on a screw from one pose to the other.
-struct ScanMotion {
+struct ScanPoses {
   Pose T_world_begin;
   Pose T_world_end;
 
@@ -19,9 +19,9 @@ struct ScanMotion {
 };
 
 /// The poses within a scan, in steps that are short against its noise: 64 steps of 2 m are 3 cm each.
-class MotionSteps {
+class PoseSteps {
  public:
-  explicit MotionSteps(const ScanMotion& motion);
+  explicit PoseSteps(const ScanPoses& motion);
 
   [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& base_m, double share) const {
     const Step& step = steps_[static_cast<std::size_t>(share * kSteps + 0.5)];
