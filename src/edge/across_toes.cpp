@@ -50,7 +50,7 @@ void AcrossToes::gather(const Traces& traces, std::span<const float> height_m, s
     Node sum;
     std::size_t end = begin;
     do {
-      sum.range_m += std::hypot(traces.x[end], traces.y[end]);
+      sum.range_m += std::sqrt(traces.x[end] * traces.x[end] + traces.y[end] * traces.y[end]);
       sum.height_m += height_m[end];
       sum.road += static_cast<float>(on_road[end]);
       ++end;

@@ -27,8 +27,8 @@ constexpr float kHead_m = 0.45F;     // or of this height: higher up a berm bend
 bool ToeFinder::is_road(const TraceProfile& p, std::size_t first, std::size_t last, RoadLine& road) const {
   const TraceProfile::Line line = p.fit(first, last);
   road = {.s_m = p.s_m[last], .height_m = line.at(p.s_m[last]), .slope = std::clamp(line.slope, -kGoesOn, kGoesOn)};
-  return line.rms_m < static_cast<float>(config_.road_noise_m) &&
-         std::abs(line.slope) < static_cast<float>(config_.max_road_slope) &&
+  const auto noise_m = static_cast<float>(config_.road_noise_m);
+  return line.variance_m2 < noise_m * noise_m && std::abs(line.slope) < static_cast<float>(config_.max_road_slope) &&
          (!config_.own_road || std::abs(line.height_m) < kFloor_m);
 }
 
@@ -162,7 +162,7 @@ bool ToeFinder::find_rise(const TraceProfile& p, std::size_t last, std::size_t s
     flank = upper;
     from = steep;
   }
-  if (flank.slope - road.slope < static_cast<float>(config_.min_flank_slope) || flank.rms_m > kMisfit_m) {
+  if (flank.slope - road.slope < static_cast<float>(config_.min_flank_slope) || flank.rms_m() > kMisfit_m) {
     return false;
   }
   const float meet_m = flank.s0_m - (flank.height_m - road.at(flank.s0_m)) / (flank.slope - road.slope);
@@ -178,7 +178,7 @@ bool ToeFinder::find_rise(const TraceProfile& p, std::size_t last, std::size_t s
   toe.flank = p.index[to];
   toe.share = std::clamp((toe_m - p.s_m[after - 1]) / std::max(p.s_m[after] - p.s_m[after - 1], 1e-3F), 0.0F, 1.0F);
   toe.slope = flank.slope;
-  toe.misfit_m = flank.rms_m;
+  toe.misfit_m = flank.rms_m();
   toe.seen_to_top = toe.seen_to_top || k == p.size();
   for (; k < p.size() && p.s_m[k] - toe_m < kMaxWidth_m; ++k) {
     if (e(k) < 0.1F) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,9 +16,10 @@ class TraceProfile {
     float s0_m = 0.0F;
     float height_m = 0.0F;
     float slope = 0.0F;
-    float rms_m = 0.0F;
+    float variance_m2 = 0.0F;  ///< of the heights about it
 
     [[nodiscard]] float at(float s) const { return height_m + slope * (s - s0_m); }
+    [[nodiscard]] float rms_m() const { return std::sqrt(variance_m2); }
   };
 
   void clear();
@@ -24,7 +27,22 @@ class TraceProfile {
 
   [[nodiscard]] std::size_t size() const { return s_m.size(); }
   /// Least squares over the points [first, last]; level if they lie in one place.
-  [[nodiscard]] Line fit(std::size_t first, std::size_t last) const;
+  [[nodiscard]] Line fit(std::size_t first, std::size_t last) const {
+    // Here, and with one division by the number: it runs twice per point of a scan.
+    const Sums& a = sums_[first];
+    const Sums& b = sums_[last + 1];
+    const double share = 1.0 / static_cast<double>(last + 1 - first);
+    const double s = (b.s - a.s) * share;
+    const double h = (b.h - a.h) * share;
+    const double ss = (b.ss - a.ss) * share - s * s;
+    const double sh = (b.sh - a.sh) * share - s * h;
+    const double hh = (b.hh - a.hh) * share - h * h;
+    const double slope = ss > 1e-6 ? sh / ss : 0.0;
+    return {.s0_m = static_cast<float>(s),
+            .height_m = static_cast<float>(h),
+            .slope = static_cast<float>(slope),
+            .variance_m2 = static_cast<float>(std::max(hh - slope * sh, 0.0))};
+  }
 
   std::vector<std::uint32_t> index;  ///< of the point in the traces
   std::vector<float> s_m;            ///< way on the map from the first point
