@@ -9,7 +9,9 @@
 namespace berm {
 namespace {
 
-constexpr float kRow_m = 25.0F;   // along a row of berms: a drop so near to one is seen through a gap of the row
+constexpr float kRow_m = 25.0F;  // along a row of berms: a drop so near to one is seen through a gap of the row
+/// Share of the greatest range: farther out few berms are seen, so that none in view does not say that there is none.
+constexpr float kDropShare = 0.6F;
 constexpr float kBeside = 0.6F;   // difference of two cosines, below which a place is neither ahead nor behind
 constexpr float kOutward = 0.3F;  // sine, below which a trace runs neither way around
 
@@ -46,7 +48,10 @@ void OwnEdges::process(const Traces& traces, const RoadToes& found) {
   if (config_.agree) {
     keep([&](std::size_t i) { return !stands_alone(places_[i], places_, min_radius_m); });
   }
-  keep([&](std::size_t i) { return toes_[i].kind == EdgeKind::rise || !is_in_row(places_[i]); });
+  keep([&](std::size_t i) {
+    return toes_[i].kind == EdgeKind::rise ||
+           (std::hypot(places_[i].x_m, places_[i].y_m) < kDropShare * max_range_m && !is_in_row(places_[i]));
+  });
 }
 
 bool OwnEdges::is_in_row(const ToePlace& drop) const {
