@@ -5,8 +5,8 @@ export default defineConfig({
   test: {
     include: ['test/**/*.browser.test.ts', 'viewer/**/*.browser.test.ts', 'report/**/*.browser.test.ts'],
     fileParallelism: false,
-    testTimeout: 120_000,
-    hookTimeout: 120_000,
+    testTimeout: 300_000,
+    hookTimeout: 300_000,
     passWithNoTests: true,
   },
 });

@@ -12,6 +12,8 @@ import { collectComplaints, findChromium, launchChromium } from './browser';
 import { startMock } from './mock_server';
 import { savePicture } from './pictures';
 
+/** Where there is no graphics card and the processor is shared, a picture can take long. */
+const kPatience_ms = 90_000;
 const kSize = { width: 1200, height: 760 };
 const kDist = join(import.meta.dirname, '../dist/viewer');
 const chromium = findChromium();
@@ -38,9 +40,10 @@ interface Opened {
 
 async function open(url: string, hash = ''): Promise<Opened> {
   const page = await browser.newPage({ viewport: kSize, acceptDownloads: true });
+  page.setDefaultTimeout(kPatience_ms);
   const complaints = collectComplaints(page);
   await page.goto(url + hash);
-  await page.waitForSelector('canvas[data-scan]', { timeout: 60_000 });
+  await page.waitForSelector('canvas[data-scan]', { timeout: kPatience_ms });
   return { page, complaints };
 }
 
@@ -277,7 +280,7 @@ describe.skipIf(chromium === undefined || berm === undefined)('berm view', () =>
     test('stands beside its recording', async () => {
       const { page, complaints } = await open((await start(recording, run)).url);
       await page.keyboard.press('End');
-      await page.waitForSelector('canvas[data-scan="49,49"]', { timeout: 60_000 });
+      await page.waitForSelector('canvas[data-scan="49,49"]', { timeout: kPatience_ms });
       expect(complaints).toEqual([]);
       await page.close();
     });

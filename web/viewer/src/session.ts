@@ -1,5 +1,4 @@
 import { api } from './data/api';
-import { kModes } from './modes';
 import type { LabelName, Piste, RunInfo, TileTree } from './data/model';
 import type { PointBlock } from './data/points';
 import type { PoseTable } from './data/poses';
@@ -8,7 +7,7 @@ import { kGlobalPathColour, kPathColour } from './colours';
 import { makeEdges, makePath, makeVoxels } from './scene/layers';
 import { groundIds } from './tools/ground_distance';
 import type { LayerName } from './view_state';
-import type { Mode } from './modes';
+import { kModes, type Mode } from './modes';
 
 /** One run: what the server said about it, and what is drawn of it. */
 export class RunSession {
