@@ -32,7 +32,7 @@ struct Series {
 Series wall(double distance_m, Label label, int count = 20) {
   Series series;
   for (int i = 0; i < count; ++i) {
-    series.add(distance_m, 0.1 * (i - count / 2), 0.0, label);
+    series.add(distance_m, 0.1 * (i - 0.5 * count), 0.0, label);
   }
   return series;
 }
@@ -126,7 +126,7 @@ TEST(FeatureFinder, EveryLaserIsASeriesOfItsOwn) {
   Series series;
   for (int i = 0; i < 20; ++i) {
     // Two lasers take turns: together they zigzag by 4 m, each alone sees a straight wall.
-    series.add(i % 2 == 0 ? 10.0 : 14.0, 0.1 * (i / 2), 0.0, Label::obstacle);
+    series.add(i % 2 == 0 ? 10.0 : 14.0, 0.1 * std::floor(0.5 * i), 0.0, Label::obstacle);
     series.channels.ring.push_back(static_cast<std::uint16_t>(i % 2));
   }
   EXPECT_EQ(count(find(series), FeatureClass::obstacle_plane), 12U);
