@@ -10,6 +10,7 @@
 #include "berm/core/stamp.hpp"
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/trajectory_file.hpp"
+#include "berm/odometry/feature_odometry.hpp"
 #include "berm/odometry/surface_odometry.hpp"
 #include "run_graph.hpp"
 #include "scan_table.hpp"
@@ -30,16 +31,15 @@ std::unique_ptr<Odometry> make_odometry(const Machine& machine) {
   if (machine.methods.odometry == "none") {
     return nullptr;
   }
+  if (machine.methods.odometry == "reference") {
+    return std::make_unique<FeatureOdometry>(machine.odometry_reference);
+  }
   return std::make_unique<SurfaceOdometry>(machine.odometry);
 }
 
 RunOdometry::RunOdometry(const Machine& machine) : machine_(machine), odometry_(make_odometry(machine)) {}
 
 void RunOdometry::add(const std::string& name, const Scan& scan, std::span<const Label> labels) {
-  if (!steps_.empty() && scan.stamp_ns <= steps_.back().stamp_ns) {
-    ++out_of_order_;
-    return;
-  }
   const OdometryInput input{
       .points = scan.cloud.view(), .labels = labels, .stamp_ns = scan.stamp_ns, .T_base_sensor = scan.T_base_sensor};
   const OdometryResult result = odometry_->process(input);
@@ -105,7 +105,7 @@ void RunOdometry::join(const RunPoses* fixes, const OutputFolder& output, RunFil
 }
 
 OdometryCounts RunOdometry::count() const {
-  OdometryCounts counts{.scans = steps_.size(), .out_of_order = out_of_order_};
+  OdometryCounts counts{.scans = steps_.size()};
   counts.sessions = steps_.empty() ? 0 : steps_.back().session + 1;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     ++counts.health[static_cast<std::size_t>(steps_[i].health)];
@@ -137,10 +137,6 @@ void RunOdometry::write(const OutputFolder& output, RunFiles& files, RunSummary&
   write_table(output);
   files.emplace_back("odometry", "odometry.csv");
   const OdometryCounts& counts = summary.odometry.emplace(count());
-  if (counts.out_of_order > 0) {
-    summary.notes.push_back(
-        fmt::format("{} scans have no line in trajectory.tum, since their stamps do not rise", counts.out_of_order));
-  }
   if (counts.sessions > 1) {
     summary.notes.push_back(
         fmt::format("the odometry lost the machine {} times for good and began a new map: the trajectory jumps there",

@@ -30,7 +30,7 @@ class RunOdometry {
   explicit RunOdometry(const Machine& machine);
 
   [[nodiscard]] bool is_on() const { return odometry_ != nullptr; }
-  /// For one thread, in the order of scans. A scan whose stamp does not rise is counted and left out. Only if it is on.
+  /// For one thread, in the order of scans. Only if it is on. Throws as `Odometry::process`.
   void add(const std::string& name, const Scan& scan, std::span<const Label> labels);
 
   /// T_world_base at the stamps of all scans. The world begins at the first.
@@ -68,7 +68,6 @@ class RunOdometry {
   std::optional<Trajectory> joined_;  ///< one pose per step
   std::vector<OdometryStep> steps_;
   std::vector<Quality> qualities_;  ///< one per step
-  std::size_t out_of_order_ = 0;
 };
 
 }  // namespace berm

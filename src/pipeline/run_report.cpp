@@ -100,7 +100,6 @@ Json describe(const OdometryCounts& counts) {
   return {{"scans", counts.scans},
           {"health", health},
           {"sessions", counts.sessions},
-          {"out_of_order", counts.out_of_order},
           {"path_m", std::round(counts.path_m * 1e3) / 1e3}};
 }
 

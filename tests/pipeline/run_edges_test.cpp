@@ -1,4 +1,5 @@
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -107,6 +108,15 @@ TEST_F(RunEdgesTest, TheReferenceMethodMapsAsWell) {
   EXPECT_GT(map().size(), 100U);
 }
 
+std::string without_last_column(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string rest;
+  for (std::string line; std::getline(lines, line);) {
+    rest += line.substr(0, line.rfind(',')) + "\n";
+  }
+  return rest;
+}
+
 TEST_F(RunEdgesTest, AnyNumberOfThreadsAndAnyPartsGiveTheSameMap) {
   put_poses(drive_.poses());
   static_cast<void>(run_it());
@@ -127,7 +137,9 @@ TEST_F(RunEdgesTest, AnyNumberOfThreadsAndAnyPartsGiveTheSameMap) {
 
   static_cast<void>(run_it({.output = folder_ / "continued", .first = 7, .map = folder_ / "first/edges.ot"}));
   EXPECT_TRUE(test::slurp(folder_ / "continued/edges.ot") == whole);
-  EXPECT_EQ(test::slurp(folder_ / "continued/edges.csv"), test::slurp(out_ / "edges.csv"));
+  // Heights of berms are those that this run surveyed: the map holds none.
+  EXPECT_TRUE(without_last_column(test::slurp(folder_ / "continued/edges.csv")) ==
+              without_last_column(test::slurp(out_ / "edges.csv")));
 }
 
 TEST_F(RunEdgesTest, MapsThatCannotBeContinuedAreRefused) {

@@ -162,6 +162,25 @@ TEST_F(RunPosesTest, AnNmeaLogBesideTheScansPutsTheMapOnTheEarth) {
   EXPECT_NE(map_in(folder_ / "alone").world(), map().world());
 }
 
+TEST_F(RunPosesTest, TwoDaysWithoutADatumAreTwoWorlds) {
+  machine_.datum.origin = "none";
+  start_at(43'200'000'000'000);
+  test::spill(recording_ / "gnss.nmea", test::as_nmea(drive_.poses(), kMine));
+  static_cast<void>(run_it());
+  EXPECT_FALSE(fs::exists(out_ / "edges.geojson"));
+  EXPECT_FALSE(datum_of(map().world()));
+  static_cast<void>(run_it({.output = folder_ / "again", .map = out_ / "edges.ot"}));
+  // The second day begins elsewhere, and its metres are counted from there.
+  TruckDrive second = drive_;
+  second.origin_m = {3.0, -1.0, 0.0};
+  test::spill(recording_ / "gnss.nmea", test::as_nmea(second.poses(), kMine));
+  test::expect_file_error(ErrorCode::unsupported, "cannot be put together",
+                          [&] { static_cast<void>(run_it({.output = folder_ / "second", .map = out_ / "edges.ot"})); });
+  static_cast<void>(run_it({.output = folder_ / "alone"}));
+  EdgeMap merged = map();
+  EXPECT_THROW(merged.merge(map_in(folder_ / "alone")), Error);
+}
+
 TEST_F(RunPosesTest, CoordinatesOfUtmGiveTheSameLinesShifted) {
   put_poses(drive_.poses());
   static_cast<void>(run_it());

@@ -104,10 +104,12 @@ TEST_F(RunTest, ListsTheTimesOfEveryLabelledScan) {
   std::istringstream table(test::slurp(out_ / "times.csv"));
   std::string line;
   std::getline(table, line);
-  EXPECT_EQ(line, "scan,stamp,read_ms,snow_ms,ground_ms,repair_ms,piste_ms,edge_ms,check_ms,map_ms,write_ms");
+  EXPECT_EQ(line,
+            "scan,stamp,read_ms,snow_ms,ground_ms,repair_ms,piste_ms,edge_ms,check_ms,odometry_ms,map_ms,write_ms");
   for (const char* name : {"000000", "000001", "000003"}) {
     ASSERT_TRUE(std::getline(table, line));
-    EXPECT_THAT(line, testing::MatchesRegex(std::string(name) + ",[0-9.]+,[0-9.]+,[0-9.]+,[0-9.]+,,,,[0-9.]+,,[0-9.]+"));
+    EXPECT_THAT(line,
+                testing::MatchesRegex(std::string(name) + ",[0-9.]+,[0-9.]+,[0-9.]+,[0-9.]+,,,,[0-9.]+,,,[0-9.]+"));
   }
   EXPECT_FALSE(std::getline(table, line));
 }

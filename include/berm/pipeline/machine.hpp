@@ -19,6 +19,7 @@
 #include "berm/map/edge_map.hpp"
 #include "berm/map/road_survey.hpp"
 #include "berm/map/surface_tiles.hpp"
+#include "berm/odometry/feature_odometry.hpp"
 #include "berm/odometry/pose_graph.hpp"
 #include "berm/odometry/surface_odometry.hpp"
 #include "berm/piste/boundary_piste.hpp"
@@ -68,8 +69,8 @@ struct MethodConfig {
           "default finds the piste by its boundary, reference is method P as published");
     field("edge", &MethodConfig::edge, Choices{{"none", "default", "reference"}},
           "default finds the edges of a road by the traces of the beams, reference is method E as published");
-    field("odometry", &MethodConfig::odometry, Choices{{"none", "default"}},
-          "default finds where the machine is by the surfaces around it");
+    field("odometry", &MethodConfig::odometry, Choices{{"none", "default", "reference"}},
+          "default finds where the machine is by the surfaces around it, reference is method P as published");
   }
   void check() const { check_fields(*this, "methods"); }
 };
@@ -90,6 +91,7 @@ struct Machine {
   TraceEdgesConfig edge;
   RingEdgesConfig edge_reference;
   SurfaceOdometryConfig odometry;
+  FeatureOdometryConfig odometry_reference;
   PoseGraphConfig pose_graph;
   EdgeMapConfig map;
   EdgeLinesConfig lines;
@@ -114,6 +116,7 @@ struct Machine {
     section("edge", &Machine::edge);
     section("edge_reference", &Machine::edge_reference);
     section("odometry", &Machine::odometry);
+    section("odometry_reference", &Machine::odometry_reference);
     section("pose_graph", &Machine::pose_graph);
     section("map", &Machine::map);
     section("lines", &Machine::lines);

@@ -78,7 +78,6 @@ struct OdometryCounts {
   std::size_t scans = 0;
   std::array<std::size_t, kOdometryHealths> health{};  ///< scans in each, by OdometryHealth
   std::size_t sessions = 0;                            ///< more than one: it was lost for good and began anew
-  std::size_t out_of_order = 0;                        ///< scans that were left out
   double path_m = 0.0;
 };
 
