@@ -160,6 +160,12 @@ export class RunView {
   }
 }
 
+const kStepPost_m = 0.2;
+/** Farther apart, two samples that follow each other lie on different things: a flake and the snow behind it. */
+const kMaxLink_m = 2;
+
+const near = (a: Vector, b: Vector) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < kMaxLink_m;
+
 function makePiste(piste: Piste, block: PointBlock): Object3D {
   const segments = new SegmentBuilder();
   const at = (k: number): Vector | undefined => {
@@ -171,14 +177,14 @@ function makePiste(piste: Piste, block: PointBlock): Object3D {
     let before: Vector | undefined;
     for (let k = Math.max(0, first); k <= Math.min(last, piste.z.length - 1); ++k) {
       const here = at(k);
-      if (here !== undefined && before !== undefined) segments.add(before, here, tint);
+      if (here !== undefined && before !== undefined && near(before, here)) segments.add(before, here, tint);
       before = here ?? before;
     }
   });
   const tint = new Color(0xff5ac8);
   for (const k of piste.steps) {
     const here = at(k);
-    if (here !== undefined) segments.add(here, [here[0], here[1], here[2] + 0.5], tint);
+    if (here !== undefined) segments.add(here, [here[0], here[1], here[2] + kStepPost_m], tint);
   }
   return segments.build(2);
 }

@@ -123,7 +123,7 @@ export class Waveform {
       if (x < bbox.left || x > bbox.left + bbox.width) continue;
       const y = plot.valToPos(this.piste!.z[sample]!, 'm', true);
       ctx.beginPath();
-      ctx.arc(x, y, 3, 0, 2 * Math.PI);
+      ctx.arc(x, y, 2, 0, 2 * Math.PI);
       ctx.fill();
     }
     ctx.restore();
