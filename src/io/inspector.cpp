@@ -7,6 +7,7 @@
 
 #include "berm/core/error.hpp"
 #include "berm/io/label_file.hpp"
+#include "berm/io/pose_log.hpp"
 #include "sensor_guess.hpp"
 
 namespace berm {
@@ -262,7 +263,14 @@ void Inspector::finish_sensor() {
 
 void Inspector::finish_poses() {
   try {
-    if (const auto given = recording_.read_given_poses()) {
+    if (recording_.pose_log()) {
+      // Which positions are good enough is for the machine to say: here all count.
+      const PoseLog log = read_pose_log(*recording_.pose_log(), {.fix = "any"}, {}, {});
+      info_.given_poses = PosesInfo{.file = recording_.pose_log()->filename().string(),
+                                    .of = PoseOf::base,
+                                    .count = log.trajectory.size(),
+                                    .length_m = length_m(log.trajectory)};
+    } else if (const auto given = recording_.read_given_poses()) {
       info_.given_poses = PosesInfo{.file = given->file.filename().string(),
                                     .of = given->of,
                                     .count = given->trajectory.size(),

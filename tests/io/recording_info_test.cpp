@@ -257,6 +257,26 @@ TEST(RecordingInfo, BrokenScansLabelsAndPosesAreCountedAndNamed) {
   EXPECT_TRUE(has_note(info, "the longest step from scan to scan is 0.5 s"));
 }
 
+TEST(RecordingInfo, ALogOfPosesIsShownAsPoses) {
+  const test::TempFolder folder;
+  fs::create_directories(folder / "scans");
+  PointChannels cloud;
+  cloud.x = cloud.y = cloud.z = {1.0F};
+  write_pcd(folder / "scans/0.pcd", PointCloud(std::move(cloud)).view());
+  const std::string header = "t,x,y,z,roll_deg,pitch_deg,yaw_deg\n";
+  test::spill(folder / "gnss.csv", header + "0,0,0,0,0,0,0\n1,3,4,0,0,0,0\n2,,,,0,0,0\n");
+  const PosesInfo poses = inspect(Recording::open(folder.path())).given_poses.value();
+  EXPECT_EQ(poses.file, "gnss.csv");
+  EXPECT_EQ(poses.count, 2U);
+  EXPECT_EQ(poses.length_m, 5.0);
+  test::spill(folder / "gnss.csv", header + "2,,,,0,0,0\n");
+  EXPECT_TRUE(has_note(inspect(Recording::open(folder.path())), "holds no pose: 1 records"));
+  test::spill(folder / "gnss.csv", "what?\n");
+  const RecordingInfo broken = inspect(Recording::open(folder.path()));
+  EXPECT_FALSE(broken.given_poses);
+  EXPECT_TRUE(has_note(broken, "gnss.csv: line 1"));
+}
+
 TEST(RecordingInfo, LooksIntoTheScansThatWereAskedFor) {
   const test::TempFolder folder;
   for (int i = 0; i < 5; ++i) {
