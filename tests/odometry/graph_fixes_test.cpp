@@ -69,6 +69,15 @@ TEST(PoseGraph, BridgesAMinuteWithoutFixes) {
   }
 }
 
+TEST(PoseGraph, StraightensALongDriveThatTurnedAway) {
+  const MadeDrive drive{.seconds = 1200.0, .speed_mps = 8.0};
+  for (const bool has_attitude : {true, false}) {
+    auto fixes = MadeFixes{.rate_hz = 5.0, .has_attitude = has_attitude}.of(drive);
+    fixes = test::moved(fixes, 300.0, 305.0, Vector3d(30.0, 40.0, 3.0));
+    EXPECT_LT(error_of(solve(drive, fixes).trajectory, drive).rms_m, 0.1) << has_attitude;
+  }
+}
+
 TEST(PoseGraph, GoesOnWhereFixesEnd) {
   const MadeDrive drive{.seconds = 200.0};
   const auto fixes = test::without(MadeFixes{}.of(drive), 140.0, 1e6);

@@ -70,7 +70,7 @@ struct PlaceMemory::State {
       met.at_or_new(*key) = 1;
       const double share = last_s > 0.0 ? static_cast<double>(points_view.time[i]) / last_s : 0.0;
       if (share >= 0.0 && share <= 1.0) {
-        kept.push_back((Pose::exp(share * displacement) * (input.T_base_sensor * sensor_m)).cast<float>());
+        kept.emplace_back((Pose::exp(share * displacement) * (input.T_base_sensor * sensor_m)).cast<float>());
       }
     }
     if (kept.size() > kScanPoints) {
