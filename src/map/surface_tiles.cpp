@@ -20,6 +20,9 @@ constexpr double kBeyond_m = 0.6;
 constexpr double kLeastLook_m = 1.5;
 constexpr double kMostLook_m = 50.0;
 constexpr std::uint16_t kLeastPasses = 2 * SurfaceTiles::kStride;
+/// Of a cell that was met in fewer scans its neighbours may decide: most of them, and so many, are gone.
+constexpr std::uint16_t kFewHits = 20;
+constexpr int kLeastGone = 3;
 /// A mean over more points does not get better, and follows the snow as it is groomed.
 constexpr std::uint32_t kMostInMean = 5000;
 constexpr std::size_t kVoteKinds = 3;
@@ -189,8 +192,30 @@ Eigen::Vector3d SurfaceTiles::place_m(const VoxelKey& cell, const Cell& evidence
   return origin_m_ + voxel_center_m(cell, cell_m_) + evidence.mean_m.cast<double>();
 }
 
-bool SurfaceTiles::has_moved(const Cell& cell) const {
+bool SurfaceTiles::was_looked_through(const Cell& cell) {
   return cell.since_hit >= kGone || (cell.passes >= kLeastPasses && cell.passes >= cell.hits);
+}
+
+bool SurfaceTiles::has_moved(const Tile& tile, const VoxelKey& key, const Cell& cell) {
+  if (was_looked_through(cell)) {
+    return true;
+  }
+  if (cell.hits > kFewHits) {
+    return false;
+  }
+  int gone = 0;
+  int stands = 0;
+  for (std::int32_t z = -1; z <= 1; ++z) {
+    for (std::int32_t y = -1; y <= 1; ++y) {
+      for (std::int32_t x = -1; x <= 1; ++x) {
+        const auto place = tile.cells.find({key.x + x, key.y + y, key.z + z});
+        if (place != tile.cells.end() && place->first != key) {
+          ++(was_looked_through(place->second) ? gone : stands);
+        }
+      }
+    }
+  }
+  return gone >= kLeastGone && gone > stands;
 }
 
 /// What was there before the thing that is met now?
@@ -288,14 +313,15 @@ void SurfaceTiles::save(const TileKey& key, const Tile& tile) {
                        .drivable = voxel.votes[0],
                        .terrain = voxel.votes[1],
                        .obstacle = voxel.votes[2]};
-    const auto cell = tile.cells.find(cell_of(at));
-    if (point.label == Label::obstacle && cell != tile.cells.end()) {
-      if (has_moved(cell->second)) {
+    // A machine's own tracks are taken for terrain.
+    const auto cell = point.label == Label::drivable ? tile.cells.end() : tile.cells.find(cell_of(at));
+    if (cell != tile.cells.end()) {
+      if (has_moved(tile, cell->first, cell->second)) {
         ++counts_.moved;
         continue;
       }
-      point.hits = cell->second.hits;
-      point.passes = cell->second.passes;
+      point.hits = point.label == Label::obstacle ? cell->second.hits : std::uint16_t{0};
+      point.passes = point.label == Label::obstacle ? cell->second.passes : std::uint16_t{0};
     }
     point.x_m = rounded_within(at.x * config_.voxel_m, voxel.offset_m[0], at.x, config_.voxel_m);
     point.y_m = rounded_within(at.y * config_.voxel_m, voxel.offset_m[1], at.y, config_.voxel_m);

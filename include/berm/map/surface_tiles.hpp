@@ -96,7 +96,8 @@ struct SurfaceTileCounts {
 /// What moved is told from what stands by what was looked through. Obstacles are counted in cells of 4 x 4 x 4 voxels:
 /// scans that met something there against scans whose beams passed through the middle of what had been met. Both scans
 /// before and after count: the last `kHistory` images for cells that are new, all later scans, one in `kStride` each.
-/// A cell that was looked through as often as it was hit, or for `kGone` scans on end, holds nothing that stands.
+/// A cell that was looked through as often as it was hit, or for `kGone` scans on end, holds nothing that stands; nor
+/// does one that was hit in few scans and has mostly such cells around it. Terrain in such a cell goes as well.
 class SurfaceTiles {
  public:
   /// Scans between two images that are compared.
@@ -151,7 +152,9 @@ class SurfaceTiles {
   void save(const TileKey& key, const Tile& tile);
   void load(const TileKey& key, Tile& tile);
   [[nodiscard]] Eigen::Vector3d place_m(const VoxelKey& cell, const Cell& evidence) const;
-  [[nodiscard]] bool has_moved(const Cell& cell) const;
+  [[nodiscard]] static bool was_looked_through(const Cell& cell);
+  /// By itself, or as part of a thing that has: most of its neighbours in the tile were looked through.
+  [[nodiscard]] static bool has_moved(const Tile& tile, const VoxelKey& key, const Cell& cell);
   [[nodiscard]] double distance_m(const TileKey& key, const Eigen::Vector3d& sensor_m) const;
 
   SurfaceMapConfig config_;
