@@ -13,7 +13,7 @@ namespace berm {
 struct FeatureOdometryConfig {
   // Which of the variants that P compares in its figure 23.
   std::string variant = "four_classes_capped";
-  int max_piste_planes = 1500;  ///< P gives no number: half of what a scan of the groomer has
+  int max_piste_planes = 1500;  ///< P gives no number: a third of what the groomer sees
   // Features.
   int neighbours = 2;               ///< LOAM-Livox
   double edge_curvature = 0.1;      ///< P eq. 10
