@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kMapFolder = "map";
 constexpr const char* kMapIndex = "map/tiles.json";
-constexpr const char* kGlobalTrajectory = "global.tum";
+constexpr const char* kGlobalTrajectory = "trajectory_global.tum";
 
 /// Numbers of Label; see docs/view_api.md.
 constexpr std::array<const char*, 6> kLabelNames = {"unlabeled", "no_return", "falling_snow",
@@ -178,9 +178,7 @@ std::optional<std::string> ViewApi::make(const ViewTarget& target) {
       if (target.item >= run.size()) {
         return std::nullopt;
       }
-      Scan scan;
-      run.read(target.item, scan);
-      return make_points_payload(scan.cloud.view(), scan.T_base_sensor);
+      return make_scan(run, target.item);
     }
     case ViewTargetKind::labels:
       return label_names();
@@ -211,6 +209,25 @@ std::optional<std::string> ViewApi::make(const ViewTarget& target) {
     default:
       return std::nullopt;
   }
+}
+
+std::string ViewApi::make_scan(const ShownRun& run, std::size_t index) {
+  std::unique_ptr<Scan> scan = take_scratch();
+  run.read(index, *scan);
+  std::string payload = make_points_payload(scan->cloud.view(), scan->T_base_sensor);
+  const std::lock_guard lock(scratch_mutex_);
+  scratch_.push_back(std::move(scan));
+  return payload;
+}
+
+std::unique_ptr<Scan> ViewApi::take_scratch() {
+  const std::lock_guard lock(scratch_mutex_);
+  if (scratch_.empty()) {
+    return std::make_unique<Scan>();
+  }
+  std::unique_ptr<Scan> scan = std::move(scratch_.back());
+  scratch_.pop_back();
+  return scan;
 }
 
 std::optional<std::string> ViewApi::make_edges(const ViewTarget& target) const {

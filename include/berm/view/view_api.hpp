@@ -71,6 +71,8 @@ class ViewApi {
   [[nodiscard]] ViewAnswer describe_runs() const;
   [[nodiscard]] std::optional<std::string> make(const ViewTarget& target);
   [[nodiscard]] std::shared_ptr<const MapLayer> find_map(std::size_t run);
+  [[nodiscard]] std::string make_scan(const ShownRun& run, std::size_t index);
+  [[nodiscard]] std::unique_ptr<Scan> take_scratch();
   [[nodiscard]] std::optional<std::string> make_edges(const ViewTarget& target) const;
 
   std::vector<ShownRun> runs_;
@@ -78,6 +80,8 @@ class ViewApi {
   Site site_;
   ViewOptions options_;
   PayloadCache cache_;
+  std::mutex scratch_mutex_;
+  std::vector<std::unique_ptr<Scan>> scratch_;  ///< memory of scans, one for each thread that reads
   std::atomic<bool> stopping_ = false;
   std::mutex map_mutex_;
   std::vector<std::shared_ptr<const MapLayer>> maps_;  ///< by run, made when first asked for
