@@ -11,7 +11,7 @@ namespace berm {
 /// Settings of turning voxels into lines.
 struct EdgeLinesConfig {
   double spacing_m = 0.5;
-  double max_gap_m = 8.0;
+  double max_gap_m = 11.0;
   double max_hidden_m = 25.0;
   double min_length_m = 3.0;
 
