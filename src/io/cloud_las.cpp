@@ -86,7 +86,7 @@ class LasWriter final : public RecordCloudWriter {
     head += std::string(20, '\0');  // waveforms, extended records
     append_number(head, summary().points);
     append_number(head, summary().points);  // first returns: all
-    head += std::string(14 * 8, '\0');
+    head += std::string(112, '\0');         // other returns: none
     return head;
   }
 
