@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 RunPoses from_given(GivenPoses given, const Machine& machine) {
   RunPoses poses{.file = given.file, .datum = machine.datum.given()};
+  poses.world = world_name(poses.datum);
   if (given.of == PoseOf::base) {
     poses.trajectory = std::move(given.trajectory);
     return poses;
@@ -31,9 +32,6 @@ RunPoses from_given(GivenPoses given, const Machine& machine) {
 PoseLog read_log(const fs::path& file, const Machine& machine, const std::optional<Geodetic>& old_datum,
                  std::vector<std::string>& notes) {
   PoseLog log = read_pose_log(file, machine.poses, machine.gnss, machine.datum);
-  if (machine.datum.origin == "none") {
-    log.datum.reset();
-  }
   if (machine.datum.origin != "first_fix" || !log.datum || !old_datum) {
     return log;
   }
@@ -69,7 +67,13 @@ RunPoses from_log(const fs::path& file, const Machine& machine, const std::optio
   RunPoses poses{.file = file};
   PoseLog log = read_log(file, machine, old_datum, poses.notes);
   poses.trajectory = std::move(log.trajectory);
-  poses.datum = log.datum;
+  poses.world = world_name(log.datum);
+  if (machine.datum.origin == "none") {
+    // The places of the log are metres around its first fix all the same: a world of its own, not that of other days.
+    poses.world = log.datum ? "unplaced, begins at " + poses.world : poses.world;
+  } else {
+    poses.datum = log.datum;
+  }
   poses.log = log.counts;
   poses.poor_fix_stamps = std::move(log.poor_fix_stamps);
   const std::string name = file.filename().string();

@@ -20,6 +20,7 @@ struct RunPoses {
   std::filesystem::path file;
   Trajectory trajectory;               ///< T_world_base
   std::optional<Geodetic> datum;       ///< origin of the world frame, where it is known
+  std::string world;                   ///< name of the world frame: maps of two worlds are not put together
   std::optional<PoseLogCounts> log;    ///< what became of the records, where `file` is a log
   std::vector<Stamp> poor_fix_stamps;  ///< rising
   std::vector<std::string> notes;
