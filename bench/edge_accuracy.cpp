@@ -45,6 +45,7 @@ std::vector<Method> all_methods() {
   using C = TraceEdgesConfig;
   return {{"reference: method E", [] { return std::make_unique<RingEdges>(RingEdgesConfig{}); }},
           trace_edges("default", [](C&) {}),
+          trace_edges("without across", [](C& c) { c.across = false; }),
           trace_edges("without sub_cell", [](C& c) { c.sub_cell = false; }),
           trace_edges("without own_road", [](C& c) { c.own_road = false; }),
           trace_edges("without face", [](C& c) { c.face = false; }),
