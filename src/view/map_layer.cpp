@@ -87,6 +87,7 @@ MapLayer::MapLayer(const std::filesystem::path& folder, const Eigen::Vector3d& o
     add_tile(key);
   }
   std::vector<Tile> joined;
+  joined.reserve(coarse_.size());
   for (const auto& [key, tile] : coarse_) {
     joined.push_back(tile);
   }
