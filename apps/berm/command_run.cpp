@@ -28,9 +28,8 @@ constexpr const char* kExamples = R"(Examples:
   berm run recording -m haul_truck -o out --poses ins.nmea --map yesterday/edges.ot
 
 Writes out/labels/NAME.label for every scan, out/scans.csv with a line for each, out/boundary.csv with a piste method,
-out/edge_points.csv with an edge method, out/trajectory.tum if there are poses, and out/run.json last; then the page
-out/report.html, which shows all this. With an edge
-method and poses also the map of the road edges, out/edges.ot, and its lines, out/edges.csv, .geojson, .gpkg, .dxf.
+out/edge_points.csv with an edge method, out/trajectory.tum if there are poses or an odometry method, and out/run.json last; then the
+page out/report.html, which shows all this. With an edge method and poses also the map of the road edges, out/edges.ot, and its lines, out/edges.csv, .geojson, .gpkg, .dxf.
 Ends with 0 if everything was done, 3 if scans were skipped (run.json says which and why), 1 if it failed, 2 for wrong usage.)";
 
 struct RunCommand {
@@ -139,7 +138,8 @@ void add_run(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   sub->add_option("--map", options.map, "Map of the road edges, edges.ot of an earlier run, that this one continues")
       ->type_name("FILE");
-  sub->add_flag("--map-surface", command->map_surface, "Map the surface: out/map, map.pcd, elevation (mapping.surface)");
+  sub->add_flag("--map-surface", command->map_surface,
+                "Map the surface: out/map, map.pcd, elevation (mapping.surface)");
   sub->add_option("--terrain", options.terrain,
                   "Elevation model of the ground without snow (GeoTIFF or ESRI ASCII grid), to measure snow depth from")
       ->type_name("FILE");
