@@ -162,8 +162,7 @@ void ScanMatcher::add_cloud(const Pull& pull, const Eigen::Vector3d& world_m, co
   equations.inliers += sigmas_squared < kGate * kGate ? 1U : 0U;
 }
 
-ScanMatcher::Equations ScanMatcher::weigh(const PoseSteps& steps, const Eigen::Vector3d& center_m,
-                                          double gate) const {
+ScanMatcher::Equations ScanMatcher::weigh(const PoseSteps& steps, const Eigen::Vector3d& center_m, double gate) const {
   Equations equations;
   for (const Pull& pull : pulls_) {
     const Eigen::Vector3d world_m = steps.to_world(pull.base_m, pull.share);

@@ -6,8 +6,8 @@
 
 #include "berm/odometry/odometry.hpp"
 #include "berm/odometry/surface_odometry.hpp"
-#include "scan_poses.hpp"
 #include "scan_points.hpp"
+#include "scan_poses.hpp"
 #include "surface_map.hpp"
 
 namespace berm {

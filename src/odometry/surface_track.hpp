@@ -6,8 +6,8 @@
 
 #include "berm/odometry/odometry.hpp"
 #include "scan_matcher.hpp"
-#include "scan_poses.hpp"
 #include "scan_points.hpp"
+#include "scan_poses.hpp"
 #include "surface_map.hpp"
 
 namespace berm {
