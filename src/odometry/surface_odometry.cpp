@@ -82,6 +82,7 @@ struct SurfaceOdometry::State {
   OdometryResult add_to_all(Stamp stamp_ns) {
     const auto samples = choose_samples();
     std::vector<OdometryResult> results;
+    results.reserve(tracks.size());
     for (SurfaceTrack& track : tracks) {
       results.push_back(track.add(scan, samples, stamp_ns));
     }

@@ -13,8 +13,8 @@ struct SettingsKind {
   std::string argument;  ///< of the command line, for messages: "--machine"
 };
 
-/// Where things that come with the program may lie: share/berm/NAME beside it (in the build tree) and one level above it
-/// (installed). None if the system does not tell where the program is.
+/// Where things that come with the program may lie: share/berm/NAME beside it (in the build tree) and one level above
+/// it (installed). None if the system does not tell where the program is.
 [[nodiscard]] std::vector<std::filesystem::path> share_folders(const std::string& name);
 
 /// Folders that are searched for NAME.yaml, in this order: ./PLURAL, then share/berm/PLURAL beside the program and one
