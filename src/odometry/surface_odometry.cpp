@@ -15,9 +15,12 @@ namespace {
 /// are found by the one that is unsure, for what moves fast on roads is well seen.
 constexpr double kStartSpeeds_mps[] = {-1.5, -0.75, 0.0, 0.75, 1.5, 2.25, 3.0, 4.0, 6.0, 8.5, 12.0, 16.0};
 /// Scans after which half of the tracks are given up.
-constexpr std::size_t kRounds[] = {6, 11, 16, 20};
-/// A scan is matched with fewer samples while there are many tracks.
+constexpr std::size_t kRounds[] = {3, 6, 11, 20};
+/// Of a scan less is taken while there are many tracks: the work on one scan is to stay bounded.
 constexpr std::size_t kStartSamples = 900;
+constexpr std::size_t kStartMapPoints = 5000;
+/// With fewer voxels that hold more than ground, these do not tell one track from the other.
+constexpr std::size_t kFewStanding = 100;
 /// Lost for so many scans in a row, a new map is begun.
 constexpr std::size_t kGiveUp = 20;
 
@@ -30,6 +33,7 @@ struct SurfaceOdometry::State {
   ScanThinner scan;
   std::vector<SurfaceTrack> tracks;  ///< one once the start is over
   std::vector<ScanPoint> few;        ///< samples while there are many tracks
+  std::vector<ScanPoint> few_for_map;
   std::vector<Pose> revised;
   std::size_t since_start = 0;
   std::size_t session = 0;
@@ -46,20 +50,29 @@ struct SurfaceOdometry::State {
     }
   }
 
-  std::span<const ScanPoint> choose_samples() {
-    const std::vector<ScanPoint>& all = scan.samples();
-    if (tracks.size() <= 2 || all.size() <= kStartSamples) {
+  /// All of them, or some while there are many tracks.
+  std::span<const ScanPoint> choose(const std::vector<ScanPoint>& all, std::size_t count,
+                                    std::vector<ScanPoint>& some) const {
+    if (tracks.size() <= 2) {
       return all;
     }
-    few.clear();
-    for (std::size_t i = 0; i < kStartSamples; ++i) {
-      few.push_back(all[i * all.size() / kStartSamples]);
-    }
-    return few;
+    some = all;
+    limit_points(some, count);
+    return some;
+  }
+
+  /// Rings fill the fewest voxels of ground if they are taken not to move: so ground counts only where nothing stands.
+  [[nodiscard]] bool nothing_stands() const {
+    return std::all_of(tracks.begin(), tracks.end(),
+                       [](const SurfaceTrack& track) { return track.map().standing() < kFewStanding; });
   }
 
   /// The sharpest maps first; those that lost the scan last.
   void sort_tracks(std::vector<OdometryResult>& results) {
+    const bool by_all = nothing_stands();
+    const auto voxels = [&](std::size_t track) {
+      return by_all ? tracks[track].map().size() : tracks[track].map().standing();
+    };
     std::vector<std::size_t> order(tracks.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       order[i] = i;
@@ -67,7 +80,7 @@ struct SurfaceOdometry::State {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       const bool a_lost = results[a].health == OdometryHealth::lost;
       const bool b_lost = results[b].health == OdometryHealth::lost;
-      return a_lost != b_lost ? b_lost : tracks[a].map().standing() < tracks[b].map().standing();
+      return a_lost != b_lost ? b_lost : voxels(a) < voxels(b);
     });
     std::vector<SurfaceTrack> sorted;
     std::vector<OdometryResult> sorted_results;
@@ -80,11 +93,12 @@ struct SurfaceOdometry::State {
   }
 
   OdometryResult add_to_all(Stamp stamp_ns) {
-    const auto samples = choose_samples();
+    const auto samples = choose(scan.samples(), kStartSamples, few);
+    const auto for_map = choose(scan.for_map(), kStartMapPoints, few_for_map);
     std::vector<OdometryResult> results;
     results.reserve(tracks.size());
     for (SurfaceTrack& track : tracks) {
-      results.push_back(track.add(scan, samples, stamp_ns));
+      results.push_back(track.add(samples, for_map, scan.duration_s(), stamp_ns));
     }
     ++since_start;
     sort_tracks(results);
@@ -104,7 +118,7 @@ struct SurfaceOdometry::State {
 
   OdometryResult add_to_one(Stamp stamp_ns) {
     SurfaceTrack& track = tracks.front();
-    OdometryResult result = track.add(scan, scan.samples(), stamp_ns);
+    OdometryResult result = track.add(scan.samples(), scan.for_map(), scan.duration_s(), stamp_ns);
     track.forget_begins();
     return result;
   }

@@ -75,8 +75,8 @@ ScanMatch SurfaceTrack::match_second(std::span<const ScanPoint> samples, double 
   return match;
 }
 
-OdometryResult SurfaceTrack::add(const ScanThinner& scan, std::span<const ScanPoint> samples, Stamp stamp_ns) {
-  const double duration_s = scan.duration_s();
+OdometryResult SurfaceTrack::add(std::span<const ScanPoint> samples, std::span<const ScanPoint> for_map,
+                                 double duration_s, Stamp stamp_ns) {
   const double gap_s = end_ns_ ? std::max(0.0, to_seconds(stamp_ns - *end_ns_)) : 0.0;
   const MotionPrior prior = expect(gap_s, duration_s);
   OdometryResult result{.duration_s = duration_s, .samples = samples.size()};
@@ -105,11 +105,11 @@ OdometryResult SurfaceTrack::add(const ScanThinner& scan, std::span<const ScanPo
   T_world_end_ = motion.T_world_end;
   end_ns_ = stamp_ns + from_seconds(duration_s);
   if (mapped_ == 0) {
-    first_scan_ = scan.for_map();
+    first_scan_.assign(for_map.begin(), for_map.end());
     first_duration_s_ = duration_s;
   }
   if (result.health != OdometryHealth::lost && is_worth_mapping(motion)) {
-    put_into_map(scan.for_map(), motion);
+    put_into_map(for_map, motion);
     T_world_mapped_ = motion.T_world_end;
     ++mapped_;
     if (mapped_ % kCutEvery == 0) {

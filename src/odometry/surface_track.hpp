@@ -23,8 +23,9 @@ class SurfaceTrack {
  public:
   SurfaceTrack(const SurfaceOdometryConfig& config, const StartGuess& guess, const Pose& T_world_base);
 
-  /// Takes the next scan in. `samples`: which of its points are matched.
-  [[nodiscard]] OdometryResult add(const ScanThinner& scan, std::span<const ScanPoint> samples, Stamp stamp_ns);
+  /// Takes the next scan in: the points that are matched, and those that go into the map.
+  [[nodiscard]] OdometryResult add(std::span<const ScanPoint> samples, std::span<const ScanPoint> for_map,
+                                   double duration_s, Stamp stamp_ns);
 
   [[nodiscard]] const SurfaceMap& map() const { return map_; }
   [[nodiscard]] const Pose& T_world_base() const { return T_world_end_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "berm/core/error.hpp"
 #include "berm/io/label_file.hpp"
@@ -32,7 +33,7 @@ double slope_deg(const Pose& T_world_base) {
 }
 
 void measure_slopes(const Recording& recording, SimulatedRun& run) {
-  const std::optional<Trajectory> truth = recording.read_truth_poses();
+  std::optional<Trajectory> truth = recording.read_truth_poses();
   if (!truth || truth->empty()) {
     throw Error(ErrorCode::invalid_argument, recording.path().string() + " has no true poses");
   }
@@ -42,6 +43,7 @@ void measure_slopes(const Recording& recording, SimulatedRun& run) {
     run.min_slope_deg = std::min(run.min_slope_deg, slope_deg(pose.T_world_base));
     run.max_slope_deg = std::max(run.max_slope_deg, slope_deg(pose.T_world_base));
   }
+  run.truth = std::move(*truth);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "berm/core/scan.hpp"
+#include "berm/core/trajectory.hpp"
 
 namespace berm::test {
 
@@ -28,6 +29,7 @@ struct LabelledScan {
 
 struct SimulatedRun {
   std::vector<LabelledScan> scans;
+  Trajectory truth;  ///< T_world_base
   // Of the machine, nose up: from its true poses.
   double min_slope_deg = 0.0;
   double max_slope_deg = 0.0;
