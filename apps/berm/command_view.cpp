@@ -44,7 +44,7 @@ Site load_site() {
       return Site::load(folder);
     }
   }
-  return Site();
+  return {};
 }
 
 /// The address that this machine can open: 0.0.0.0 is everywhere, and nowhere to go to.
@@ -56,6 +56,7 @@ std::string address_to_open(const ViewServer& server, const std::string& host) {
 int execute(const ViewCommand& command) {
   command.console.start();
   std::vector<ShownRun> runs;
+  runs.reserve(command.paths.size());
   for (const std::string& path : command.paths) {
     runs.push_back(ShownRun::open(path));
   }

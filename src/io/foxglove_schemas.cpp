@@ -20,9 +20,9 @@ enum class Kind : std::uint8_t {
 };
 
 struct Field {
-  const char* name;
-  int number;
-  Kind kind;
+  const char* name = nullptr;
+  int number = 0;
+  Kind kind = Kind::text;
   const char* type = nullptr;  ///< full name of a message or enum
   bool repeated = false;
 };

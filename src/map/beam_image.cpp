@@ -11,6 +11,7 @@ namespace {
 /// Bins of 1 deg: azimuth all around, elevation from -60 to 60 deg, where bins are still about as wide as high.
 constexpr std::size_t kColumns = 360;
 constexpr std::size_t kRows = 120;
+constexpr double kMiddleRow = 60.0;
 constexpr double kBinsPerRad = 180.0 / std::numbers::pi;
 
 struct Bin {
@@ -20,7 +21,7 @@ struct Bin {
 
 std::optional<Bin> bin_of(const Eigen::Vector3f& to_m) {
   const double level_m = std::hypot(double{to_m.x()}, double{to_m.y()});
-  const double row = std::floor(std::atan2(double{to_m.z()}, level_m) * kBinsPerRad) + static_cast<double>(kRows / 2);
+  const double row = std::floor(std::atan2(double{to_m.z()}, level_m) * kBinsPerRad) + kMiddleRow;
   if (!(row >= 0.0 && row < static_cast<double>(kRows))) {
     return std::nullopt;
   }
