@@ -115,9 +115,9 @@ std::uint64_t announced_points(std::string_view text, const std::string& name) {
   constexpr std::size_t kLongestHeader = 512;
   const std::string_view head = text.substr(0, kLongestHeader);
   const std::size_t at = head.find(kKey);
+  const std::string_view number = at == std::string_view::npos ? std::string_view() : head.substr(at + kKey.size());
   std::uint64_t points = 0;
-  const char* begin = head.data() + at + kKey.size();
-  if (at == std::string_view::npos || std::from_chars(begin, head.data() + head.size(), points).ec != std::errc() ||
+  if (std::from_chars(number.data(), number.data() + number.size(), points).ec != std::errc() ||
       !text.starts_with(header_of(kTileFields, points))) {
     refuse(name, "is no tile of a surface map: another header than berm writes");
   }
