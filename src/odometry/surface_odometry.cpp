@@ -1,6 +1,8 @@
 #include "berm/odometry/surface_odometry.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -14,8 +16,12 @@ namespace {
 /// Speeds that a start is tried with: half a metre a second off, and the map pulls the speed right. Faster machines
 /// are found by the one that is unsure, for what moves fast on roads is well seen.
 constexpr double kStartSpeeds_mps[] = {-1.5, -0.75, 0.0, 0.75, 1.5, 2.25, 3.0, 4.0, 6.0, 8.5, 12.0, 16.0};
-/// Scans after which half of the tracks are given up.
-constexpr std::size_t kRounds[] = {3, 6, 11, 20};
+/// After so many scans, the best few are followed further.
+struct Round {
+  std::size_t scans;
+  std::ptrdiff_t kept;
+};
+constexpr Round kRounds[] = {{3, 9}, {6, 5}, {11, 3}, {16, 2}, {20, 1}};
 /// Of a scan less is taken while there are many tracks: the work on one scan is to stay bounded.
 constexpr std::size_t kStartSamples = 900;
 constexpr std::size_t kStartMapPoints = 5000;
@@ -106,9 +112,10 @@ struct SurfaceOdometry::State {
     const std::vector<Pose>& begins = tracks.front().begins();
     revised.assign(begins.begin(), begins.end() - 1);
     result.revised = revised;
-    if (std::find(std::begin(kRounds), std::end(kRounds), since_start) != std::end(kRounds)) {
-      const bool is_last = since_start == *std::rbegin(kRounds);
-      tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(is_last ? 1 : (tracks.size() + 1) / 2), tracks.end());
+    for (const Round& round : kRounds) {
+      if (since_start == round.scans && std::ssize(tracks) > round.kept) {
+        tracks.erase(tracks.begin() + round.kept, tracks.end());
+      }
     }
     if (tracks.size() > 1 && result.health != OdometryHealth::lost) {
       result.health = OdometryHealth::starting;
