@@ -66,10 +66,9 @@ ScanMatch SurfaceTrack::match_second(std::span<const ScanPoint> samples, double 
   ScanMatch match = matcher_.match(samples, map_, expect(gap_s, duration_s));
   for (std::size_t i = 0; i < kSecondLooks && match.is_sound; ++i) {
     velocity_ = velocity_to(match.motion, gap_s + duration_s);
-    const Pose T_world_begin = begins_.front();
-    T_world_end_ = T_world_begin * Pose::exp(first_duration_s_ * velocity_);
+    T_world_end_ = T_world_first_ * Pose::exp(first_duration_s_ * velocity_);
     map_.clear();
-    put_into_map(first_scan_, {T_world_begin, T_world_end_});
+    put_into_map(first_scan_, {T_world_first_, T_world_end_});
     match = matcher_.match(samples, map_, expect(gap_s, duration_s));
   }
   return match;
@@ -106,6 +105,7 @@ OdometryResult SurfaceTrack::add(std::span<const ScanPoint> samples, std::span<c
   end_ns_ = stamp_ns + from_seconds(duration_s);
   if (mapped_ == 0) {
     first_scan_.assign(for_map.begin(), for_map.end());
+    T_world_first_ = motion.T_world_begin;
     first_duration_s_ = duration_s;
   }
   if (result.health != OdometryHealth::lost && is_worth_mapping(motion)) {

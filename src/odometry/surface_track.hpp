@@ -55,6 +55,7 @@ class SurfaceTrack {
   std::size_t lost_ = 0;
   std::vector<Pose> begins_;
   std::vector<ScanPoint> first_scan_;  ///< until the second is matched
+  Pose T_world_first_;                 ///< at the begin of the first scan
   double first_duration_s_ = 0.0;
 };
 

@@ -34,6 +34,12 @@ TEST(SurfaceOdometry, FollowsSpeedsFromTheFirstScanOn) {
   }
 }
 
+TEST(SurfaceOdometry, FollowsASlowMachineFromOneStart) {
+  SurfaceOdometry odometry({.find_start = false});
+  const auto motion = straight(0.4);
+  EXPECT_LT(worst_m(follow(odometry, made_yard(), motion, 30), motion), 0.08);
+}
+
 TEST(SurfaceOdometry, FollowsABodyThatHeaves) {
   SurfaceOdometry odometry({});
   const auto motion = straight(1.5, 0.02);
