@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
@@ -17,6 +16,7 @@
 
 #include <fmt/core.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/scan.hpp"
 #include "berm/eval/label_metrics.hpp"
 #include "berm/ground/polar_ground.hpp"
@@ -51,7 +51,6 @@ struct Method {
 };
 
 Pose mount(double height_m, double pitch_deg = 0.0, double roll_deg = 0.0) {
-  constexpr double kRadPerDeg = std::numbers::pi / 180.0;
   return Pose::from_yaw_pitch_roll(0.0, pitch_deg * kRadPerDeg, roll_deg * kRadPerDeg, {0.0, 0.0, height_m});
 }
 

@@ -6,11 +6,6 @@ function(berm_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE berm_options ${ARG_LINK} GTest::gmock GTest::gtest_main rapidcheck)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  if(BERM_PRECOMPILE)
-    target_link_libraries(${name} PRIVATE Eigen3::Eigen)
-    target_precompile_headers(${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h> <rapidcheck.h> <Eigen/Geometry>
-      <algorithm> <cmath> <filesystem> <fstream> <optional> <random> <span> <string> <string_view> <vector>)
-  endif()
   # Values would be bytes of memory where a parameter has no printer, others in every run.
   gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

@@ -26,7 +26,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kDrawExamples = R"(Examples:
   berm draw recording -o scan.png
   berm draw recording --run out --scan 000012 -o labels.png
   berm draw recording --run out --truth --view perspective -o right_and_wrong.png
@@ -232,7 +232,7 @@ void add_picture_options(CLI::App& sub, DrawCommand& command) {
 void add_draw(CLI::App& app, int& exit_code) {
   auto command = std::make_shared<DrawCommand>();
   CLI::App* sub = app.add_subcommand("draw", "Draw one scan as a PNG picture");
-  sub->footer(kExamples);
+  sub->footer(kDrawExamples);
   sub->add_option("RECORDING", command->recording, "Sequence folder, KITTI folder, folder of scans, or one scan")
       ->required();
   sub->add_option("-o,--output", command->output, "PNG file, - for stdout")->required()->type_name("FILE");

@@ -12,7 +12,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kEvalExamples = R"(Examples:
   berm eval out recording
   berm eval out recording --per-scan -o metrics.json
   berm eval out recording | jq .ground.f1
@@ -47,7 +47,7 @@ int execute(const EvalCommand& command) {
 void add_eval(CLI::App& app, int& exit_code) {
   auto command = std::make_shared<EvalCommand>();
   CLI::App* sub = app.add_subcommand("eval", "Measure a run against the truth in its recording");
-  sub->footer(kExamples);
+  sub->footer(kEvalExamples);
   sub->add_option("RUN", command->run_folder, "Output folder of berm run")->required();
   sub->add_option("RECORDING", command->recording, "The recording with its truth")->required();
   sub->add_option("-o,--output", command->output, "File for the result, - for stdout")

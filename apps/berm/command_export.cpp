@@ -19,7 +19,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kExportExamples = R"(Examples:
   berm export out --to foxglove
   berm export out --to las -o road.las
   berm export out --to ply --every 10
@@ -106,7 +106,7 @@ int execute(ExportCommand& command) {
 void add_export(CLI::App& app, int& exit_code) {
   auto command = std::make_shared<ExportCommand>();
   CLI::App* sub = app.add_subcommand("export", "Write a run or a recording for other programs");
-  sub->footer(kExamples);
+  sub->footer(kExportExamples);
   const std::map<std::string, Target> targets = {
       {"foxglove", Target::foxglove}, {"ply", Target::ply}, {"las", Target::las}, {"csv", Target::csv}};
   sub->add_option("RUN", command->run, "Folder of a run, or a recording")->required()->type_name("");

@@ -14,7 +14,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kInfoExamples = R"(Examples:
   berm info recording
   berm info scan.pcd
   berm info recording --json --count 10 | jq .sensor
@@ -54,7 +54,7 @@ int execute(const InfoCommand& command) {
 void add_info(CLI::App& app, int& exit_code) {
   auto command = std::make_shared<InfoCommand>();
   CLI::App* sub = app.add_subcommand("info", "Say what is in a recording");
-  sub->footer(kExamples);
+  sub->footer(kInfoExamples);
   sub->add_option("RECORDING", command->recording, "Sequence folder, KITTI folder, folder of scans, or one scan")
       ->required();
   sub->add_flag("--json", command->json, "For programs");

@@ -12,7 +12,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMachineExamples = R"(Examples:
   berm machine list
   berm machine show groomer
   berm machine show car --set mount.height_m=1.9 > my_car.yaml
@@ -60,7 +60,7 @@ void add_show(CLI::App& app, int& exit_code) {
 
 void add_machine(CLI::App& app, int& exit_code) {
   CLI::App* sub = app.add_subcommand("machine", "Show and check machine files");
-  sub->footer(kExamples);
+  sub->footer(kMachineExamples);
   sub->require_subcommand(1);
   sub->add_subcommand("list", "Print the machines that are known by name")->callback([&exit_code] {
     exit_code = list();

@@ -12,7 +12,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMapExamples = R"(Examples:
   berm map info out/edges.ot
   berm map merge monday/edges.ot tuesday/edges.ot -o week.ot
   berm map lines week.ot -o edges.csv
@@ -71,7 +71,7 @@ EdgeLinesConfig LinesOption::choose() const {
 
 void add_map(CLI::App& app, int& exit_code) {
   CLI::App* sub = app.add_subcommand("map", "Look into maps of road edges, merge them, turn them into lines and files");
-  sub->footer(kExamples);
+  sub->footer(kMapExamples);
   sub->require_subcommand(1);
   add_map_info(*sub, exit_code);
   add_map_merge(*sub, exit_code);

@@ -18,7 +18,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMapDrawExamples = R"(Examples:
   berm map draw edges.ot -o map.png
   berm map draw edges.ot -o map.png --size 4000 --set lines.max_gap_m=2
 
@@ -155,14 +155,14 @@ void draw_frame(Image& image, const MapView& view, const EdgeMap& map) {
             TextAnchor::right, kInk);
 }
 
-struct DrawCommand {
+struct MapDrawCommand {
   std::string map;
   OutputOption output;
   LinesOption lines;
   int size_px = 1600;
 };
 
-int execute(const DrawCommand& command) {
+int execute(const MapDrawCommand& command) {
   const EdgeLinesConfig config = command.lines.choose();
   const std::string& target = command.output.target();
   const EdgeMap map = read_map(command.map);
@@ -182,9 +182,9 @@ int execute(const DrawCommand& command) {
 
 void add_map_draw(CLI::App& app, int& exit_code) {
   constexpr int kLeast_px = 400;
-  auto command = std::make_shared<DrawCommand>();
+  auto command = std::make_shared<MapDrawCommand>();
   CLI::App* sub = app.add_subcommand("draw", "Draw a map from above");
-  sub->footer(kExamples);
+  sub->footer(kMapDrawExamples);
   sub->add_option("MAP", command->map, "Map of road edges (.ot)")->required()->type_name("FILE");
   command->output.add_options(*sub, "The picture (.png)");
   sub->add_option("--size", command->size_px, "Longer side of the picture, in pixels")

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMapInfoExamples = R"(Examples:
   berm map info edges.ot
   berm map info edges.ot --json | jq .lines)";
 
@@ -142,13 +142,13 @@ std::string to_json_text(const EdgeMap& map, const MapSummary& summary) {
   return json.dump(2) + "\n";
 }
 
-struct InfoCommand {
+struct MapInfoCommand {
   std::string map;
   bool json = false;
   LinesOption lines;
 };
 
-int execute(const InfoCommand& command) {
+int execute_map_info(const MapInfoCommand& command) {
   const EdgeLinesConfig config = command.lines.choose();
   const EdgeMap map = read_map(command.map);
   const MapSummary summary = summarise(map, config);
@@ -159,13 +159,13 @@ int execute(const InfoCommand& command) {
 }  // namespace
 
 void add_map_info(CLI::App& app, int& exit_code) {
-  auto command = std::make_shared<InfoCommand>();
+  auto command = std::make_shared<MapInfoCommand>();
   CLI::App* sub = app.add_subcommand("info", "Say what is in a map");
-  sub->footer(kExamples);
+  sub->footer(kMapInfoExamples);
   sub->add_option("MAP", command->map, "Map of road edges (.ot)")->required()->type_name("FILE");
   sub->add_flag("--json", command->json, "One JSON object, for programs");
   command->lines.add_options(*sub);
-  sub->callback([command, &exit_code] { exit_code = execute(*command); });
+  sub->callback([command, &exit_code] { exit_code = execute_map_info(*command); });
 }
 
 }  // namespace berm::app

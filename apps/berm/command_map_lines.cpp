@@ -15,11 +15,11 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kLinesExamples = R"(Examples:
+constexpr const char* kMapLinesExamples = R"(Examples:
   berm map lines edges.ot -o edges.csv
   berm map lines edges.ot -o edges.csv --set lines.spacing_m=1 --set lines.max_gap_m=10 --force)";
 
-constexpr const char* kExportExamples = R"(Examples:
+constexpr const char* kMapExportExamples = R"(Examples:
   berm map export edges.ot -o edges.gpkg
   berm map export edges.ot -o edges.osm --datum=-23.5,148.25,310
   berm map export edges.csv -o edges.dxf
@@ -29,20 +29,20 @@ The ending says the format: .geojson (RFC 7946), .gpkg (OGC GeoPackage), .dxf (m
 .csv. Geographic files need to know where the origin of the world lies on the earth: a map knows it if the run that made
 it did, edges.csv does not.)";
 
-struct LinesCommand {
+struct MapLinesCommand {
   std::string map;
   OutputOption output;
   LinesOption lines;
 };
 
-int execute(const LinesCommand& command) {
+int execute(const MapLinesCommand& command) {
   const EdgeLinesConfig config = command.lines.choose();
   const std::string& target = command.output.target();
   write_edge_lines(target, extract_lines(read_map(command.map), config));
   return kWhole;
 }
 
-struct ExportCommand {
+struct MapExportCommand {
   std::string input;
   OutputOption output;
   LinesOption lines;
@@ -54,7 +54,7 @@ struct PlacedLines {
   std::optional<Geodetic> datum;
 };
 
-PlacedLines read_lines(const ExportCommand& command) {
+PlacedLines read_lines(const MapExportCommand& command) {
   PlacedLines placed;
   if (edge_format_of(command.input) == EdgeFormat::csv) {
     placed.lines = read_edge_lines(command.input);
@@ -70,7 +70,7 @@ PlacedLines read_lines(const ExportCommand& command) {
   return placed;
 }
 
-int execute(const ExportCommand& command) {
+int execute(const MapExportCommand& command) {
   const std::optional<EdgeFormat> format = edge_format_of(command.output.name());
   if (!format) {
     throw UsageError(command.output.name() + ": its ending is none of .geojson, .gpkg, .dxf, .osm and .csv");
@@ -91,9 +91,9 @@ int execute(const ExportCommand& command) {
 }  // namespace
 
 void add_map_lines(CLI::App& app, int& exit_code) {
-  auto command = std::make_shared<LinesCommand>();
+  auto command = std::make_shared<MapLinesCommand>();
   CLI::App* sub = app.add_subcommand("lines", "Turn a map into lines, edges.csv");
-  sub->footer(kLinesExamples);
+  sub->footer(kMapLinesExamples);
   sub->add_option("MAP", command->map, "Map of road edges (.ot)")->required()->type_name("FILE");
   command->output.add_options(*sub, "The lines (.csv)");
   command->lines.add_options(*sub);
@@ -102,9 +102,9 @@ void add_map_lines(CLI::App& app, int& exit_code) {
 
 void add_map_export(CLI::App& app, int& exit_code) {
   constexpr int kNumbers = 3;
-  auto command = std::make_shared<ExportCommand>();
+  auto command = std::make_shared<MapExportCommand>();
   CLI::App* sub = app.add_subcommand("export", "Write the edges as GeoJSON, GeoPackage, DXF, Lanelet2 or CSV");
-  sub->footer(kExportExamples);
+  sub->footer(kMapExportExamples);
   sub->add_option("EDGES", command->input, "Map of road edges (.ot), or its lines (.csv)")
       ->required()
       ->type_name("FILE");

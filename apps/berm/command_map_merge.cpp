@@ -13,13 +13,13 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMapMergeExamples = R"(Examples:
   berm map merge monday.ot tuesday.ot wednesday.ot -o week.ot
   berm map merge all.ot today/edges.ot -o all.ot --force
 
 The result is the same, byte for byte, in whatever order the maps are named.)";
 
-struct MergeCommand {
+struct MapMergeCommand {
   std::vector<std::string> maps;
   OutputOption output;
 };
@@ -43,7 +43,7 @@ void check_fit(const EdgeMap& sum, const std::string& first, const EdgeMap& map,
   }
 }
 
-int execute(const MergeCommand& command) {
+int execute(const MapMergeCommand& command) {
   const std::string& target = command.output.target();
   EdgeMap sum = read_map(command.maps.front());
   for (std::size_t i = 1; i < command.maps.size(); ++i) {
@@ -60,9 +60,9 @@ int execute(const MergeCommand& command) {
 void add_map_merge(CLI::App& app, int& exit_code) {
   constexpr int kLeast = 2;
   constexpr int kMost = 10'000;
-  auto command = std::make_shared<MergeCommand>();
+  auto command = std::make_shared<MapMergeCommand>();
   CLI::App* sub = app.add_subcommand("merge", "Add maps of one world up");
-  sub->footer(kExamples);
+  sub->footer(kMapMergeExamples);
   sub->add_option("MAP", command->maps, "Maps of road edges (.ot), two or more")
       ->required()
       ->expected(kLeast, kMost)

@@ -17,7 +17,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kReportExamples = R"(Examples:
   berm report out
   berm report out --recording recording
 
@@ -58,7 +58,7 @@ int execute(const ReportCommand& command) {
 void add_report(CLI::App& app, int& exit_code) {
   auto command = std::make_shared<ReportCommand>();
   CLI::App* sub = app.add_subcommand("report", "Show a run in one page, report.html");
-  sub->footer(kExamples);
+  sub->footer(kReportExamples);
   sub->add_option("RUN", command->run_folder, "Output folder of berm run")->required();
   sub->add_option("--recording", command->recording, "The recording, if it is not where it was")->type_name("FOLDER");
   command->console.add_options(*sub);

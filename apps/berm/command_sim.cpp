@@ -23,7 +23,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kSimExamples = R"(Examples:
   berm sim --list
   berm sim groomer_snowfall -o recording
   berm sim haul_road -o recording --seed 7 --seconds 60
@@ -85,7 +85,7 @@ sim::Scenario choose_scenario(const SimCommand& command) {
   return scenario;
 }
 
-double percent(std::uint64_t part, std::uint64_t whole) {
+double percent_of_beams(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
@@ -101,7 +101,8 @@ int report(const sim::SimulateSummary& summary, const std::string& output, doubl
       "{} scans over {:.1f} m, {:.1f} M beams: {:.1f} % came back, {:.1f} % off flakes or dust; "
       "{:.1f} s -> {}",
       summary.scans, summary.driven_m, static_cast<double>(summary.beams) * 1e-6,
-      percent(summary.returns, summary.beams), percent(summary.in_the_air, summary.beams), elapsed_s, output);
+      percent_of_beams(summary.returns, summary.beams), percent_of_beams(summary.in_the_air, summary.beams), elapsed_s,
+      output);
   return kWhole;
 }
 
@@ -163,7 +164,7 @@ void add_sim(CLI::App& app, int& exit_code) {
   options.threads = std::max(1U, std::thread::hardware_concurrency());
 
   CLI::App* sub = app.add_subcommand("sim", "Make a recording of a scenario, with its truth");
-  sub->footer(kExamples);
+  sub->footer(kSimExamples);
   sub->add_option("SCENARIO", command->scenario, "A scenario by name (berm sim --list) or a YAML file")
       ->type_name("NAME|FILE");
   sub->add_option("-o,--output", options.output, "Folder for the recording")->type_name("FOLDER");

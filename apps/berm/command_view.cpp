@@ -21,7 +21,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kViewExamples = R"(Examples:
   berm view out
   berm view recording
   berm view out_reference out_default
@@ -87,7 +87,7 @@ int execute(const ViewCommand& command) {
 void add_view(CLI::App& app, int& exit_code) {
   auto command = std::make_shared<ViewCommand>();
   CLI::App* sub = app.add_subcommand("view", "Look at runs and recordings in a browser");
-  sub->footer(kExamples);
+  sub->footer(kViewExamples);
   sub->add_option("RUN", command->paths, "Folder of a run, or a recording; two are shown side by side")
       ->required()
       ->expected(1, 2)

@@ -1,9 +1,9 @@
-#include <numbers>
 #include <optional>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "berm/core/angle.hpp"
 #include "class_names.hpp"
 #include "info_text.hpp"
 
@@ -13,10 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
-constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 double to_degrees(double angle_rad) {
-  return angle_rad * kDegreesPerRadian;
+  return angle_rad * kDegPerRad;
 }
 
 /// Names for programs: they stay when the wording for people changes.

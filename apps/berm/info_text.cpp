@@ -2,24 +2,23 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
 #include "class_names.hpp"
 
 namespace berm {
 namespace {
 
-constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr double kRareClass = 0.001;
 constexpr std::size_t kTextWidth = 100;
 constexpr std::size_t kLabelWidth = 15;
 
-double to_degrees(double angle_rad) {
-  return angle_rad * kDegreesPerRadian;
+double shown_degrees(double angle_rad) {
+  return angle_rad * kDegPerRad;
 }
 
 /// Lines of "label   value", long values broken at blanks and indented.
@@ -69,7 +68,7 @@ std::string bytes(std::uint64_t count) {
   return fmt::format("{:.1f} MiB", static_cast<double>(count) / kMebi);
 }
 
-std::string percent(double share) {
+std::string share_text(double share) {
   return fmt::format("{:.1f} %", 100.0 * share);
 }
 
@@ -106,7 +105,7 @@ std::string losses_text(const RecordingInfo& info) {
   std::vector<std::string> parts;
   const auto add = [&](double share, std::string_view what) {
     if (share > 0.0) {
-      parts.push_back(percent(share) + " " + std::string(what));
+      parts.push_back(share_text(share) + " " + std::string(what));
     }
   };
   add(info.no_return_zero_share, "(0, 0, 0)");
@@ -116,13 +115,13 @@ std::string losses_text(const RecordingInfo& info) {
 }
 
 std::string view_text(const FieldOfView& view) {
-  const std::string elevation = fmt::format("elevation {:.1f} to {:.1f} deg", to_degrees(view.elevation_min_rad),
-                                            to_degrees(view.elevation_max_rad));
+  const std::string elevation = fmt::format("elevation {:.1f} to {:.1f} deg", shown_degrees(view.elevation_min_rad),
+                                            shown_degrees(view.elevation_max_rad));
   if (view.full_turn) {
     return "360 deg, " + elevation;
   }
-  return fmt::format("azimuth {:.1f} to {:.1f} deg, {}{}", to_degrees(view.azimuth_min_rad),
-                     to_degrees(view.azimuth_max_rad), elevation, view.circular ? ", circular" : "");
+  return fmt::format("azimuth {:.1f} to {:.1f} deg, {}{}", shown_degrees(view.azimuth_min_rad),
+                     shown_degrees(view.azimuth_max_rad), elevation, view.circular ? ", circular" : "");
 }
 
 std::string order_text(const RecordingInfo& info) {
@@ -152,7 +151,7 @@ std::string labels_text(const RecordingInfo& info) {
     if (share < kRareClass) {
       rare.push_back(name);
     } else {
-      parts.push_back(name + " " + percent(share));
+      parts.push_back(name + " " + share_text(share));
     }
   }
   return fmt::format("{} of {} scans: {}{}{}", info.labelled_scans, info.scans_read, join(parts, ", "),
@@ -173,7 +172,7 @@ std::string sheet_text(const SensorSheet& sheet) {
     parts.push_back(fmt::format("{:g} m high", *sheet.height_m));
   }
   if (sheet.pitch_rad) {
-    parts.push_back(fmt::format("pitched by {:.4g} deg", to_degrees(*sheet.pitch_rad)));
+    parts.push_back(fmt::format("pitched by {:.4g} deg", shown_degrees(*sheet.pitch_rad)));
   }
   if (sheet.scan_hz) {
     parts.push_back(fmt::format("{:g} Hz", *sheet.scan_hz));

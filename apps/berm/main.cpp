@@ -12,7 +12,7 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kMainExamples = R"(Examples:
   berm sim groomer_snowfall -o recording
   berm info recording
   berm run recording --machine car -o out
@@ -37,7 +37,7 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error) {
 int run_program(int argc, char** argv) {
   CLI::App app{"LiDAR recordings of machines that work off-road, turned into labels and maps.", "berm"};
   int exit_code = kWhole;
-  app.footer(kExamples);
+  app.footer(kMainExamples);
   app.set_version_flag("--version", "berm " + std::string(version()));
   app.require_subcommand(1);
   add_info(app, exit_code);

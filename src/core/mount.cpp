@@ -1,11 +1,10 @@
 #include "berm/core/mount.hpp"
 
-#include <numbers>
+#include "berm/core/angle.hpp"
 
 namespace berm {
 
 Pose MountConfig::T_base_sensor() const {
-  constexpr double kRadPerDeg = std::numbers::pi / 180.0;
   return Pose::from_yaw_pitch_roll(yaw_deg * kRadPerDeg, pitch_deg * kRadPerDeg, roll_deg * kRadPerDeg,
                                    {x_m, y_m, height_m});
 }

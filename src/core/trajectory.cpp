@@ -10,7 +10,7 @@ namespace berm {
 namespace {
 
 /// Unsigned, because stamps at both ends of their range are farther apart than a stamp can tell.
-double elapsed_ns(Stamp from_ns, Stamp to_ns) {
+double span_ns(Stamp from_ns, Stamp to_ns) {
   return static_cast<double>(static_cast<std::uint64_t>(to_ns) - static_cast<std::uint64_t>(from_ns));
 }
 
@@ -38,7 +38,7 @@ std::optional<Pose> Trajectory::at(Stamp stamp_ns) const {
     return std::nullopt;
   }
   const StampedPose& before = *(after - 1);
-  const double share = elapsed_ns(before.stamp_ns, stamp_ns) / elapsed_ns(before.stamp_ns, after->stamp_ns);
+  const double share = span_ns(before.stamp_ns, stamp_ns) / span_ns(before.stamp_ns, after->stamp_ns);
   return interpolate(before.T_world_base, after->T_world_base, share);
 }
 

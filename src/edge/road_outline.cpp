@@ -8,12 +8,12 @@
 namespace berm {
 namespace {
 
-constexpr float kTurn_rad = 2.0F * std::numbers::pi_v<float>;
+constexpr float kWholeTurn_rad = 2.0F * std::numbers::pi_v<float>;
 constexpr float kMargin_m = 0.4F;
 constexpr float kLeastSine = 0.3F;
 
 std::size_t sector_of(float x_m, float y_m) {
-  const float turn = std::atan2(y_m, x_m) / kTurn_rad + 0.5F;
+  const float turn = std::atan2(y_m, x_m) / kWholeTurn_rad + 0.5F;
   return std::min(static_cast<std::size_t>(turn * static_cast<float>(RoadOutline::kSectors)),
                   RoadOutline::kSectors - 1);
 }
@@ -22,7 +22,7 @@ std::size_t sector_of(float x_m, float y_m) {
 
 RoadOutline::RoadOutline() {
   for (std::size_t i = 0; i < kSectors; ++i) {
-    const float bearing_rad = ((static_cast<float>(i) + 0.5F) / static_cast<float>(kSectors) - 0.5F) * kTurn_rad;
+    const float bearing_rad = ((static_cast<float>(i) + 0.5F) / static_cast<float>(kSectors) - 0.5F) * kWholeTurn_rad;
     rays_[i] = {std::cos(bearing_rad), std::sin(bearing_rad), 1.0F};
   }
   clear();

@@ -11,7 +11,7 @@ namespace berm {
 namespace {
 
 constexpr std::size_t kSamples = 1500;
-constexpr float kReach_m = 28.0F;
+constexpr float kFitReach_m = 28.0F;
 constexpr float kMostMissed = 9.0F;  // squared, in scales: beyond, places say nothing
 /// Scales of the residual, from doubt to certainty: ruts and gravel stay within the last.
 constexpr std::array<float, 6> kScales_m{0.8F, 0.4F, 0.25F, 0.15F, 0.1F, 0.1F};
@@ -34,7 +34,7 @@ void RoadSurface::fit(std::span<const float> x, std::span<const float> y, std::s
       a(row, row) = kPriorWeight / (kPrior_m[i] * kPrior_m[i]);
     }
     for (std::size_t i = 0; i < x.size(); i += stride) {
-      if (x[i] * x[i] + y[i] * y[i] > kReach_m * kReach_m) {
+      if (x[i] * x[i] + y[i] * y[i] > kFitReach_m * kFitReach_m) {
         continue;
       }
       const float missed = (z[i] - height_m(x[i], y[i])) / scale_m;

@@ -5,8 +5,8 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kFewest = 8;    // points of a piece of a trace that is looked at
-constexpr float kOnward_rad = 0.06F;  // a trace that breaks off goes on within this angle
+constexpr std::size_t kFewestOfPiece = 8;  // points of a piece of a trace that is looked at
+constexpr float kOnward_rad = 0.06F;       // a trace that breaks off goes on within this angle
 
 /// Whether the trace breaks off at point `a` and goes on at `b`, farther away and far below the road.
 bool falls(const Traces& t, std::span<const float> height_m, std::size_t a, std::size_t b, float min_drop_m) {
@@ -33,7 +33,7 @@ void RoadToes::process(const Traces& traces) {
     while (end < size && traces.is_broken[end] == 0) {
       ++end;
     }
-    if (end - begin >= kFewest) {
+    if (end - begin >= kFewestOfPiece) {
       walk(traces, begin, end - 1, end < size ? end : begin);
       if (traces.kind != TraceKind::radial) {
         walk(traces, end - 1, begin, begin > 0 ? begin - 1 : end - 1);

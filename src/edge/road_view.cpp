@@ -8,7 +8,7 @@ namespace berm {
 namespace {
 
 constexpr float kHigh_m = 0.5F;
-constexpr float kMargin_m = 0.5F;
+constexpr float kViewMargin_m = 0.5F;
 constexpr float kMarginShare = 0.02F;
 
 }  // namespace
@@ -32,7 +32,7 @@ void RoadView::add_high(const Traces& traces, std::span<const float> height_m) {
 
 bool RoadView::hides(float x_m, float y_m) const {
   const float range_m = std::sqrt(x_m * x_m + y_m * y_m);
-  const float free_m = range_m - kMargin_m - kMarginShare * range_m;
+  const float free_m = range_m - kViewMargin_m - kMarginShare * range_m;
   return free_m > 0.0F && range2_[sector_of(x_m, y_m)] < free_m * free_m;
 }
 

@@ -12,6 +12,8 @@
 #include "berm/io/label_file.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "evaluate_edges.hpp"
+#include "evaluate_localization.hpp"
+#include "is_there.hpp"
 
 namespace berm {
 namespace {
@@ -23,11 +25,6 @@ constexpr std::uint32_t kFallingSnow = 110;
 constexpr std::uint32_t kDrivable = 40;
 constexpr std::uint32_t kTerrain = 72;
 constexpr std::uint64_t kMaxRunFileBytes = std::uint64_t{256} << 20U;
-
-bool is_there(const fs::path& path) {
-  std::error_code code;
-  return fs::exists(path, code);
-}
 
 bool holds(const Labels& labels, std::uint32_t id) {
   return std::any_of(labels.begin(), labels.end(), [id](std::uint32_t raw) { return semantic_class(raw) == id; });
@@ -79,6 +76,7 @@ class Evaluator {
     }
     give_reasons();
     judge_trajectory();
+    evaluation_.localization = evaluate_localization(run_folder_, recording_);
     EdgeEvaluation edges = evaluate_edges(run_folder_, recording_);
     evaluation_.edges = edges.score;
     if (!edges.score) {

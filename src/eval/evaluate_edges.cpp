@@ -9,6 +9,7 @@
 #include "berm/io/edge_lines_file.hpp"
 #include "berm/io/edges_file.hpp"
 #include "berm/io/trajectory_file.hpp"
+#include "is_there.hpp"
 
 namespace berm {
 namespace {
@@ -17,11 +18,6 @@ namespace fs = std::filesystem;
 
 /// Half of the poses of a run and of truth that are farther apart than this lie in different worlds.
 constexpr double kOtherWorld_m = 50.0;
-
-bool is_there(const fs::path& path) {
-  std::error_code code;
-  return fs::exists(path, code);
-}
 
 std::vector<EdgeLine> to_lines(const std::vector<Edge>& edges) {
   std::vector<EdgeLine> lines;

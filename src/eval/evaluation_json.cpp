@@ -66,6 +66,12 @@ Json describe(const TrajectoryEvaluation& trajectory) {
   return json;
 }
 
+Json describe(const LocalizationEvaluation& poses) {
+  return {{"poses", poses.poses},     {"rmse_m", poses.rmse_m},
+          {"max_m", poses.max_m},     {"rmse_deg", poses.rmse_deg},
+          {"max_deg", poses.max_deg}, {"ate_rmse_m", poses.ate_rmse_m ? Json(*poses.ate_rmse_m) : Json(nullptr)}};
+}
+
 Json describe(const EdgeScore& edges) {
   Json json = Json::object();
   put(json, "precision", edges.precision);
@@ -105,6 +111,9 @@ std::string to_json(const Evaluation& evaluation, const std::filesystem::path& r
   put(json, evaluation.labels);
   if (evaluation.trajectory) {
     json["trajectory"] = describe(*evaluation.trajectory);
+  }
+  if (evaluation.localization) {
+    json["localization"] = describe(*evaluation.localization);
   }
   if (evaluation.edges) {
     json["edges"] = describe(*evaluation.edges);

@@ -8,8 +8,8 @@
 namespace berm {
 namespace {
 
-constexpr std::uint32_t kFallingSnow = 110;
-constexpr std::uint32_t kDrivable = 40;
+constexpr std::uint32_t kFallingSnowId = 110;
+constexpr std::uint32_t kDrivableId = 40;
 
 bool is_ground(std::uint32_t id) {
   switch (id) {
@@ -27,7 +27,7 @@ bool is_ground(std::uint32_t id) {
 }
 
 bool says_nothing_of_ground(std::uint32_t id) {
-  return id == 0 || id == 1 || id == 70 || id == kFallingSnow;
+  return id == 0 || id == 1 || id == 70 || id == kFallingSnowId;
 }
 
 void check_length(std::size_t output, std::size_t truth) {
@@ -90,15 +90,15 @@ BinaryCounts judge_ground(std::span<const std::uint32_t> output, std::span<const
 
 BinaryCounts judge_piste(std::span<const std::uint32_t> output, std::span<const std::uint32_t> truth) {
   return judge(
-      output, truth, [](std::uint32_t id) { return id == kDrivable; },
-      [](std::size_t, std::uint32_t id) { return id == 0 || id == kFallingSnow; });
+      output, truth, [](std::uint32_t id) { return id == kDrivableId; },
+      [](std::size_t, std::uint32_t id) { return id == 0 || id == kFallingSnowId; });
 }
 
 BinaryCounts judge_snow(std::span<const std::uint32_t> output, std::span<const std::uint32_t> truth,
                         std::span<const std::uint8_t> is_return) {
   check_length(is_return.size(), truth.size());
   return judge(
-      output, truth, [](std::uint32_t id) { return id == kFallingSnow; },
+      output, truth, [](std::uint32_t id) { return id == kFallingSnowId; },
       [is_return](std::size_t point, std::uint32_t) { return is_return[point] == 0; });
 }
 

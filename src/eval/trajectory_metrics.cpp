@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+
+#include "berm/core/angle.hpp"
 
 namespace berm {
 namespace {
@@ -68,7 +69,6 @@ double path_length_m(std::span<const PosePair> pairs) {
 }
 
 std::vector<RelativeError> relative_errors(std::span<const PosePair> pairs, std::span<const double> lengths_m) {
-  constexpr double kDegPerRad = 180.0 / std::numbers::pi;
   const std::vector<double> path_m = path_lengths(pairs);
   std::vector<RelativeError> errors;
   for (const double length_m : lengths_m) {

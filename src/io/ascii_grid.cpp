@@ -15,6 +15,7 @@
 #include "berm/io/height_raster.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "line_reader.hpp"
+#include "lower_case.hpp"
 #include "raster_check.hpp"
 #include "text_numbers.hpp"
 
@@ -50,15 +51,6 @@ class WordReader {
   std::size_t start_ = 0;
   std::size_t end_ = 0;
 };
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  // The one of the standard library depends on the locale.
-  for (char& c : lower) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return lower;
-}
 
 /// What stands in front of the heights.
 struct GridHeader {

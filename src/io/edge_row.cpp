@@ -11,7 +11,7 @@
 namespace berm {
 namespace {
 
-constexpr int kDecimals = 3;
+constexpr int kRowDecimals = 3;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ Eigen::Vector3d take_position_m(const LineReader& lines, std::string_view line, 
 void append_position(std::string& text, const Eigen::Vector3d& position_m) {
   for (const double value : {position_m.x(), position_m.y(), position_m.z()}) {
     text += ',';
-    append_fixed(text, value, kDecimals);
+    append_fixed(text, value, kRowDecimals);
   }
 }
 

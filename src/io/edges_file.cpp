@@ -12,7 +12,7 @@
 namespace berm {
 namespace {
 
-constexpr std::string_view kHeader = "side,x,y,z";
+constexpr std::string_view kEdgesHeader = "side,x,y,z";
 
 class EdgesReader {
  public:
@@ -25,14 +25,14 @@ class EdgesReader {
       if (line.empty()) {
         end_polyline();
       } else if (!started) {
-        check_edge_header(lines_, line, kHeader);
+        check_edge_header(lines_, line, kEdgesHeader);
         started = true;
       } else {
         take_vertex(line);
       }
     }
     if (!started) {
-      throw lines_.error("the file is empty, expected the header " + std::string(kHeader));
+      throw lines_.error("the file is empty, expected the header " + std::string(kEdgesHeader));
     }
     end_polyline();
     return std::move(edges_);
@@ -41,7 +41,7 @@ class EdgesReader {
  private:
   void take_vertex(std::string_view line) {
     std::string_view rest = line;
-    const bool left = take_side(lines_, rest, 1, kHeader) == EdgeSide::left;
+    const bool left = take_side(lines_, rest, 1, kEdgesHeader) == EdgeSide::left;
     const Eigen::Vector3d vertex_m = take_position_m(lines_, line, rest, true);
     if (open_ && edges_.back().left != left) {
       end_polyline();
@@ -79,7 +79,7 @@ std::vector<Edge> read_edges(std::istream& input, const std::string& name) {
 
 void write_edges(const std::filesystem::path& path, std::span<const Edge> edges) {
   AtomicFile file(path);
-  file.write(std::string(kHeader) + "\n");
+  file.write(std::string(kEdgesHeader) + "\n");
   bool first = true;
   std::string line;
   for (const Edge& edge : edges) {

@@ -9,7 +9,7 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kMinBeams = 1000;
+constexpr std::size_t kFewestBeams = 1000;
 constexpr std::size_t kWindows = 128;
 constexpr std::size_t kSamples = 2000;
 constexpr std::size_t kMaxLag = 16;
@@ -124,7 +124,7 @@ void measure_windows(std::span<const Beam> beams, BeamMotion& motion) {
 }  // namespace
 
 std::optional<BeamMotion> measure_motion(std::span<const Beam> beams) {
-  if (beams.size() < kMinBeams) {
+  if (beams.size() < kFewestBeams) {
     return std::nullopt;
   }
   BeamMotion motion;

@@ -18,10 +18,10 @@
 namespace berm {
 namespace {
 
-struct CloseDataset {
+struct CloseInput {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+using Dataset = std::unique_ptr<GDALDataset, CloseInput>;
 
 class GeotiffReader {
  public:

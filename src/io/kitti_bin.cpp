@@ -15,9 +15,9 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kPointBytes = 4 * sizeof(float);
+constexpr std::size_t kKittiPointBytes = 4 * sizeof(float);
 constexpr float kByteFromUnit = 255.0F;
-constexpr std::size_t kBlockPoints = 4096;
+constexpr std::size_t kKittiBlockPoints = 4096;
 
 }  // namespace
 
@@ -34,14 +34,14 @@ std::optional<IntensityScale> recognise_intensity_scale(std::span<const float> i
 
 ScanRecord parse_kitti_bin(std::span<const std::byte> bytes, const std::string& name, IntensityScale scale,
                            PointChannels reuse) {
-  if (bytes.size() % kPointBytes != 0) {
+  if (bytes.size() % kKittiPointBytes != 0) {
     throw FileError(
-        ErrorCode::truncated, name, bytes.size() - bytes.size() % kPointBytes,
+        ErrorCode::truncated, name, bytes.size() - bytes.size() % kKittiPointBytes,
         fmt::format("{} bytes left for a point of 16 (x y z intensity as f32): the file is cut, or it is no "
                     "KITTI scan; copy it again or convert it",
-                    bytes.size() % kPointBytes));
+                    bytes.size() % kKittiPointBytes));
   }
-  const std::size_t points = bytes.size() / kPointBytes;
+  const std::size_t points = bytes.size() / kKittiPointBytes;
   const float factor = scale == IntensityScale::unit ? kByteFromUnit : 1.0F;
   ScanRecord record;
   record.channels = std::move(reuse);
@@ -54,7 +54,7 @@ ScanRecord parse_kitti_bin(std::span<const std::byte> bytes, const std::string& 
   channels.z.resize(points);
   channels.intensity.resize(points);
   for (std::size_t i = 0; i < points; ++i) {
-    const auto point = load<std::array<float, 4>>(bytes.data() + i * kPointBytes);
+    const auto point = load<std::array<float, 4>>(bytes.data() + i * kKittiPointBytes);
     channels.x[i] = point[0];
     channels.y[i] = point[1];
     channels.z[i] = point[2];
@@ -76,9 +76,9 @@ void write_kitti_bin(const std::filesystem::path& path, const PointsView& points
   const float factor = scale == IntensityScale::unit ? 1.0F / kByteFromUnit : 1.0F;
   AtomicFile file(path);
   std::vector<float> block;
-  block.reserve(4 * kBlockPoints);
-  for (std::size_t begin = 0; begin < points.size(); begin += kBlockPoints) {
-    const std::size_t end = std::min(begin + kBlockPoints, points.size());
+  block.reserve(4 * kKittiBlockPoints);
+  for (std::size_t begin = 0; begin < points.size(); begin += kKittiBlockPoints) {
+    const std::size_t end = std::min(begin + kKittiBlockPoints, points.size());
     block.clear();
     for (std::size_t i = begin; i < end; ++i) {
       const float intensity = points.intensity.empty() ? 0.0F : points.intensity[i] * factor;

@@ -17,7 +17,7 @@ constexpr double kRotationTolerance = 1e-3;
 /// 12 digits and what separates them. Room is made once: a vector that grows would hold its poses twice for a moment,
 /// more than 4 times the file.
 constexpr std::uintmax_t kMinLineBytes = 24;
-constexpr int kDecimals = 12;
+constexpr int kKittiDecimals = 12;
 constexpr std::array<std::string_view, 2> kCalibrationKeys = {"Tr:", "Tr_velo_to_cam:"};
 
 Pose parse_pose(const LineReader& lines, std::string_view line) {
@@ -91,7 +91,7 @@ void write_kitti_poses(const std::filesystem::path& path, std::span<const Pose> 
     for (Eigen::Index row = 0; row < 3; ++row) {
       for (Eigen::Index column = 0; column < 4; ++column) {
         line += line.empty() ? "" : " ";
-        append_scientific(line, matrix(row, column), kDecimals);
+        append_scientific(line, matrix(row, column), kKittiDecimals);
       }
     }
     line += '\n';

@@ -10,7 +10,7 @@ namespace berm {
 namespace {
 
 constexpr std::size_t kMaxQuotedBytes = 40;
-constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kLineBlanks = " \t";
 
 std::unique_ptr<std::istream> open_text(const std::filesystem::path& file) {
   std::error_code error;
@@ -53,7 +53,7 @@ bool LineReader::next(std::string_view& line) {
 bool LineReader::next_or_blank(std::string_view& line) {
   while (read_line()) {
     line = buffer_;
-    const std::size_t begin = line.find_first_not_of(kBlanks);
+    const std::size_t begin = line.find_first_not_of(kLineBlanks);
     if (begin == std::string_view::npos) {
       line = {};
       return true;
@@ -124,8 +124,8 @@ FileError LineReader::error(const std::string& problem) const {
 }
 
 std::string_view take_word(std::string_view& line) {
-  line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
-  const std::size_t length = std::min(line.find_first_of(kBlanks), line.size());
+  line.remove_prefix(std::min(line.find_first_not_of(kLineBlanks), line.size()));
+  const std::size_t length = std::min(line.find_first_of(kLineBlanks), line.size());
   const std::string_view word = line.substr(0, length);
   line.remove_prefix(length);
   return word;

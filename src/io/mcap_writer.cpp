@@ -12,18 +12,18 @@ constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 /// What readers hold in memory at a time.
 constexpr std::size_t kChunkBytes = std::size_t{4} << 20U;
 
-enum Opcode : std::uint8_t {
-  kHeader = 0x01,
-  kFooter = 0x02,
-  kSchema = 0x03,
-  kChannel = 0x04,
-  kMessage = 0x05,
-  kChunk = 0x06,
-  kMessageIndex = 0x07,
-  kChunkIndex = 0x08,
-  kStatistics = 0x0B,
-  kSummaryOffset = 0x0E,
-  kDataEnd = 0x0F,
+enum class Opcode : std::uint8_t {
+  header = 0x01,
+  footer = 0x02,
+  schema = 0x03,
+  channel = 0x04,
+  message = 0x05,
+  chunk = 0x06,
+  message_index = 0x07,
+  chunk_index = 0x08,
+  statistics = 0x0B,
+  summary_offset = 0x0E,
+  data_end = 0x0F,
 };
 
 void append_text(std::string& bytes, std::string_view text) {
@@ -47,7 +47,7 @@ McapWriter::McapWriter(const std::filesystem::path& path) : file_(path) {
   std::string header;
   append_text(header, "");
   append_text(header, "berm");
-  put(make_record(kHeader, header));
+  put(make_record(Opcode::header, header));
 }
 
 void McapWriter::put(std::string_view bytes) {
@@ -63,7 +63,7 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view enc
   append_text(content, name);
   append_text(content, encoding);
   append_text(content, data);
-  schemas_.push_back(make_record(kSchema, content));
+  schemas_.push_back(make_record(Opcode::schema, content));
   chunk_.records += schemas_.back();
   return id;
 }
@@ -76,7 +76,7 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema, std::string_view top
   append_text(content, topic);
   append_text(content, encoding);
   append_number(content, std::uint32_t{0});  // metadata
-  channels_.push_back(make_record(kChannel, content));
+  channels_.push_back(make_record(Opcode::channel, content));
   chunk_.records += channels_.back();
   counts_[id] = 0;
   return id;
@@ -91,7 +91,7 @@ void McapWriter::write(std::uint16_t channel, std::uint64_t time_ns, std::string
   append_number(content, time_ns);
   content.append(message);
   chunk_.index[channel].emplace_back(time_ns, chunk_.records.size());
-  chunk_.records += make_record(kMessage, content);
+  chunk_.records += make_record(Opcode::message, content);
   chunk_.first_ns = chunk_.any ? std::min(chunk_.first_ns, time_ns) : time_ns;
   chunk_.last_ns = chunk_.any ? std::max(chunk_.last_ns, time_ns) : time_ns;
   chunk_.any = true;
@@ -119,7 +119,7 @@ void McapWriter::end_chunk() {
   append_text(content, "");  // no compression
   append_number(content, size);
   content.append(chunk_.records);
-  put(make_record(kChunk, content));
+  put(make_record(Opcode::chunk, content));
   const std::uint64_t end = offset_;
 
   std::string places;
@@ -134,7 +134,7 @@ void McapWriter::end_chunk() {
     std::string index;
     append_number(index, channel);
     append_text(index, list);
-    put(make_record(kMessageIndex, index));
+    put(make_record(Opcode::message_index, index));
   }
 
   std::string index;
@@ -147,7 +147,7 @@ void McapWriter::end_chunk() {
   append_text(index, "");
   append_number(index, size);
   append_number(index, size);
-  chunk_indices_.push_back(make_record(kChunkIndex, index));
+  chunk_indices_.push_back(make_record(Opcode::chunk_index, index));
   chunk_ = {};
 }
 
@@ -167,7 +167,7 @@ std::string McapWriter::statistics() const {
   append_number(content, first_ns_);
   append_number(content, last_ns_);
   append_text(content, counts);
-  return make_record(kStatistics, content);
+  return make_record(Opcode::statistics, content);
 }
 
 void McapWriter::write_summary() {
@@ -184,19 +184,19 @@ void McapWriter::write_summary() {
       append_number(content, static_cast<std::uint8_t>(opcode));
       append_number(content, begin);
       append_number(content, offset_ - begin);
-      offsets += make_record(kSummaryOffset, content);
+      offsets += make_record(Opcode::summary_offset, content);
     }
   };
-  put_group(kSchema, schemas_);
-  put_group(kChannel, channels_);
-  put_group(kStatistics, {statistics()});
-  put_group(kChunkIndex, chunk_indices_);
+  put_group(Opcode::schema, schemas_);
+  put_group(Opcode::channel, channels_);
+  put_group(Opcode::statistics, {statistics()});
+  put_group(Opcode::chunk_index, chunk_indices_);
   const std::uint64_t offsets_begin = offset_;
   put(offsets);
 
   // The checksum of the summary goes up to itself: the footer without its last field.
   std::string footer;
-  append_number(footer, static_cast<std::uint8_t>(kFooter));
+  append_number(footer, static_cast<std::uint8_t>(Opcode::footer));
   append_number(footer, std::uint64_t{20});
   append_number(footer, summary_begin);
   append_number(footer, offsets_begin);
@@ -210,7 +210,7 @@ void McapWriter::commit() {
   end_chunk();
   std::string end;
   append_number(end, crc_);
-  put(make_record(kDataEnd, end));
+  put(make_record(Opcode::data_end, end));
   write_summary();
   put(kMagic);
   file_.commit();

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "berm/io/file_reader.hpp"
 #include "nmea_sentence.hpp"
@@ -18,7 +18,6 @@
 namespace berm {
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 /// Positions of fewer decimals of a minute move in steps of more than 0.02 m.
 constexpr std::size_t kFineDecimals = 5;
 
@@ -141,7 +140,7 @@ class NmeaCollector {
         !(std::abs(*pitch_up_deg) <= 90.0)) {
       return false;
     }
-    keep(full_, attitude_of(yaw_rad(*heading_deg), -*pitch_up_deg * kRadiansPerDegree, *roll_deg * kRadiansPerDegree));
+    keep(full_, attitude_of(yaw_rad(*heading_deg), -*pitch_up_deg * kRadPerDeg, *roll_deg * kRadPerDeg));
     return true;
   }
 
@@ -183,7 +182,7 @@ class NmeaCollector {
     return parse_number(text.starts_with('+') ? text.substr(1) : text);
   }
   static bool is_heading(double heading_deg) { return heading_deg >= 0.0 && heading_deg <= 360.0; }
-  static double yaw_rad(double heading_deg) { return (90.0 - heading_deg) * kRadiansPerDegree; }
+  static double yaw_rad(double heading_deg) { return (90.0 - heading_deg) * kRadPerDeg; }
 
   PoseLogCounts& counts_;
   NmeaClock clock_;
@@ -277,8 +276,8 @@ PoseLog parse_nmea(std::string_view text, const std::string& name, const PoseLog
 }
 
 Pose GnssMountConfig::T_base_gnss() const {
-  return Pose::from_yaw_pitch_roll(yaw_deg * kRadiansPerDegree, pitch_deg * kRadiansPerDegree,
-                                   roll_deg * kRadiansPerDegree, {x_m, y_m, z_m});
+  return Pose::from_yaw_pitch_roll(yaw_deg * kRadPerDeg, pitch_deg * kRadPerDeg, roll_deg * kRadPerDeg,
+                                   {x_m, y_m, z_m});
 }
 
 PoseLog read_pose_log(const std::filesystem::path& path, const PoseLogConfig& config, const GnssMountConfig& mount,

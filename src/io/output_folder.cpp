@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(ErrorCode code, const fs::path& path, const std::string& problem) {
+[[noreturn]] void fail_at(ErrorCode code, const fs::path& path, const std::string& problem) {
   throw FileError(code, path.string(), std::nullopt, problem);
 }
 
 [[noreturn]] void fail_with(const fs::path& path, const std::string& what, const std::error_code& reason) {
-  fail(ErrorCode::write_failed, path, what + ": " + reason.message() + "; choose another folder with -o");
+  fail_at(ErrorCode::write_failed, path, what + ": " + reason.message() + "; choose another folder with -o");
 }
 
 bool is_temporary(const fs::path& file) {
@@ -65,16 +65,16 @@ OutputFolder::OutputFolder(fs::path folder, bool force, OutputResults results, c
   std::error_code code;
   const auto status = fs::status(folder_, code);
   if (fs::exists(status) && !fs::is_directory(status)) {
-    fail(ErrorCode::exists, folder_, "is a file; choose another folder with -o");
+    fail_at(ErrorCode::exists, folder_, "is a file; choose another folder with -o");
   }
   if (same_folder(folder_, recording)) {
-    fail(ErrorCode::exists, folder_, "is the recording itself; choose another folder with -o");
+    fail_at(ErrorCode::exists, folder_, "is the recording itself; choose another folder with -o");
   }
   if (fs::exists(status) && !force && !fs::is_empty(folder_, code)) {
     const bool unfinished = fs::exists(folder_ / kMarker, code);
-    fail(ErrorCode::exists, folder_,
-         (unfinished ? "holds a " + results_.work + " that did not finish" : "is not empty") +
-             "; choose another folder with -o, or replace the results in it with --force");
+    fail_at(ErrorCode::exists, folder_,
+            (unfinished ? "holds a " + results_.work + " that did not finish" : "is not empty") +
+                "; choose another folder with -o, or replace the results in it with --force");
   }
   create();
   try {
@@ -119,8 +119,8 @@ void OutputFolder::claim() {
                        held.st_ino == named.st_ino && held.st_dev == named.st_dev;
   if (!locked || !current) {
     marker_was_there_ = true;
-    fail(ErrorCode::exists, folder_,
-         "another " + results_.work + " is writing there now; wait for it or choose another folder with -o");
+    fail_at(ErrorCode::exists, folder_,
+            "another " + results_.work + " is writing there now; wait for it or choose another folder with -o");
   }
 }
 
@@ -144,8 +144,8 @@ void OutputFolder::remove_old_results() const {
     const fs::path result = folder_ / name;
     const auto status = fs::symlink_status(result, code);
     if ((!ours && fs::exists(status)) || fs::is_symlink(status)) {
-      fail(ErrorCode::exists, result,
-           "was not written by a " + results_.work + " of berm and is not replaced; choose another folder with -o");
+      fail_at(ErrorCode::exists, result,
+              "was not written by a " + results_.work + " of berm and is not replaced; choose another folder with -o");
     }
   }
   // The last file first: from here on the folder is not whole.

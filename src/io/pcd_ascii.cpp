@@ -17,7 +17,7 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kBlockPoints = 512;
+constexpr std::size_t kTextBlockPoints = 512;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
@@ -99,7 +99,7 @@ class AsciiReader {
       steps_[field].offset = record_bytes_;
       record_bytes_ += header.fields[field].size;
     }
-    block_.resize(record_bytes_ * kBlockPoints);
+    block_.resize(record_bytes_ * kTextBlockPoints);
   }
 
   void read(PcdDecoder& decoder) {
@@ -108,8 +108,8 @@ class AsciiReader {
     for (const auto& [channel, field] : plan_.channels) {
       columns.push_back({block_.data() + steps_[field].offset, record_bytes_});
     }
-    for (std::size_t begin = 0; begin < header_.points; begin += kBlockPoints) {
-      const std::size_t count = std::min(kBlockPoints, header_.points - begin);
+    for (std::size_t begin = 0; begin < header_.points; begin += kTextBlockPoints) {
+      const std::size_t count = std::min(kTextBlockPoints, header_.points - begin);
       for (std::size_t i = 0; i < count; ++i) {
         if (!next_line()) {
           throw FileError(ErrorCode::truncated, name_, std::nullopt,

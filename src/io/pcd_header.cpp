@@ -20,7 +20,7 @@ constexpr std::size_t kMaxFields = 1024;
 constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 20U;
 constexpr std::uint64_t kMaxPoints = (std::uint64_t{1} << 48U) - 1;
 
-constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::string_view kHeaderBlanks = " \t\r\v\f";
 
 struct Entry {
   bool present = false;
@@ -93,9 +93,9 @@ class HeaderParser {
 
   std::vector<std::string_view> split(std::string_view line, std::size_t offset) const {
     std::vector<std::string_view> words;
-    std::size_t begin = line.find_first_not_of(kBlanks);
+    std::size_t begin = line.find_first_not_of(kHeaderBlanks);
     while (begin != std::string_view::npos) {
-      const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+      const std::size_t end = std::min(line.find_first_of(kHeaderBlanks, begin), line.size());
       words.push_back(line.substr(begin, end - begin));
       if (words.front().front() == '#') {
         break;
@@ -103,7 +103,7 @@ class HeaderParser {
       if (words.size() > kMaxFields + 1) {
         fail(ErrorCode::unsupported, offset, fmt::format("more than {} values in a line", kMaxFields));
       }
-      begin = line.find_first_not_of(kBlanks, end);
+      begin = line.find_first_not_of(kHeaderBlanks, end);
     }
     return words;
   }

@@ -10,16 +10,10 @@
 
 #include "berm/core/error.hpp"
 #include "line_reader.hpp"
+#include "lower_case.hpp"
 
 namespace berm {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return result;
-}
 
 /// The names that drivers use. The first match counts: where a file has several, absolute time says more than
 /// relative time.
@@ -71,7 +65,7 @@ class Planner {
   std::optional<std::size_t> find(std::string_view wanted) const {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < header_.fields.size(); ++i) {
-      if (lower(header_.fields[i].name) != wanted) {
+      if (lower_case(header_.fields[i].name) != wanted) {
         continue;
       }
       if (found) {

@@ -22,7 +22,7 @@ namespace berm {
 namespace {
 
 /// Points decoded channel by channel before the next ones: their records stay in the first-level cache.
-constexpr std::size_t kBlockPoints = 512;
+constexpr std::size_t kReadBlockPoints = 512;
 
 class PcdReader {
  public:
@@ -155,8 +155,8 @@ class PcdReader {
   }
 
   void decode_all(std::vector<PcdColumn> columns) {
-    for (std::size_t begin = 0; begin < header_.points; begin += kBlockPoints) {
-      const std::size_t count = std::min(kBlockPoints, header_.points - begin);
+    for (std::size_t begin = 0; begin < header_.points; begin += kReadBlockPoints) {
+      const std::size_t count = std::min(kReadBlockPoints, header_.points - begin);
       decoder_->decode(columns, begin, count);
       for (PcdColumn& column : columns) {
         column.first += count * column.stride_bytes;

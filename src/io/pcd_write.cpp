@@ -17,7 +17,7 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kBlockPoints = 2048;
+constexpr std::size_t kWriteBlockPoints = 2048;
 
 /// The channels that are present, in the order of the file, with what the header says of them.
 class PcdWriter {
@@ -72,9 +72,9 @@ class PcdWriter {
   }
 
   void write_binary(AtomicFile& file) const {
-    std::vector<std::byte> block(kBlockPoints * point_bytes_);
-    for (std::size_t begin = 0; begin < points_.size(); begin += kBlockPoints) {
-      const std::size_t count = std::min(kBlockPoints, points_.size() - begin);
+    std::vector<std::byte> block(kWriteBlockPoints * point_bytes_);
+    for (std::size_t begin = 0; begin < points_.size(); begin += kWriteBlockPoints) {
+      const std::size_t count = std::min(kWriteBlockPoints, points_.size() - begin);
       each_channel(begin, count, [&](auto values, auto convert, std::size_t offset) {
         std::byte* target = block.data() + offset;
         for (const auto value : values) {

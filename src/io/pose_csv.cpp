@@ -10,18 +10,19 @@
 #include <string_view>
 #include <vector>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "csv_columns.hpp"
 #include "line_reader.hpp"
+#include "lower_case.hpp"
 #include "pose_log_builder.hpp"
 #include "text_numbers.hpp"
 
 namespace berm {
 namespace {
 
-constexpr double kQuaternionTolerance = 1e-2;
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+constexpr double kUnitQuaternion = 1e-2;
 /// More would be no table of poses.
 constexpr std::size_t kMaxColumns = 256;
 
@@ -29,7 +30,7 @@ constexpr std::size_t kMaxColumns = 256;
 constexpr std::uintmax_t kMinRowBytes = 16;
 
 /// What a column holds.
-enum class Field : std::uint8_t {
+enum class PoseField : std::uint8_t {
   t,
   t_ns,
   x,
@@ -49,50 +50,43 @@ enum class Field : std::uint8_t {
   quality,
   other,
 };
-constexpr std::size_t kFields = static_cast<std::size_t>(Field::other);
+constexpr std::size_t kPoseFields = static_cast<std::size_t>(PoseField::other);
 
 struct Column {
   std::string_view name;
-  Field field;
+  PoseField field;
   double scale;  ///< to SI
 };
 
-constexpr Column kColumns[] = {
-    {"t", Field::t, 1.0},
-    {"t_ns", Field::t_ns, 1.0},
-    {"x", Field::x, 1.0},
-    {"y", Field::y, 1.0},
-    {"z", Field::z, 1.0},
-    {"lat_deg", Field::lat, 1.0},
-    {"lon_deg", Field::lon, 1.0},
-    {"h_m", Field::h, 1.0},
-    {"qx", Field::qx, 1.0},
-    {"qy", Field::qy, 1.0},
-    {"qz", Field::qz, 1.0},
-    {"qw", Field::qw, 1.0},
-    {"roll_deg", Field::roll, kRadiansPerDegree},
-    {"roll_rad", Field::roll, 1.0},
-    {"pitch_deg", Field::pitch, kRadiansPerDegree},
-    {"pitch_rad", Field::pitch, 1.0},
-    {"yaw_deg", Field::yaw, kRadiansPerDegree},
-    {"yaw_rad", Field::yaw, 1.0},
-    {"heading_deg", Field::heading, kRadiansPerDegree},
-    {"heading_rad", Field::heading, 1.0},
-    {"quality", Field::quality, 1.0},
+constexpr Column kPoseColumns[] = {
+    {"t", PoseField::t, 1.0},
+    {"t_ns", PoseField::t_ns, 1.0},
+    {"x", PoseField::x, 1.0},
+    {"y", PoseField::y, 1.0},
+    {"z", PoseField::z, 1.0},
+    {"lat_deg", PoseField::lat, 1.0},
+    {"lon_deg", PoseField::lon, 1.0},
+    {"h_m", PoseField::h, 1.0},
+    {"qx", PoseField::qx, 1.0},
+    {"qy", PoseField::qy, 1.0},
+    {"qz", PoseField::qz, 1.0},
+    {"qw", PoseField::qw, 1.0},
+    {"roll_deg", PoseField::roll, kRadPerDeg},
+    {"roll_rad", PoseField::roll, 1.0},
+    {"pitch_deg", PoseField::pitch, kRadPerDeg},
+    {"pitch_rad", PoseField::pitch, 1.0},
+    {"yaw_deg", PoseField::yaw, kRadPerDeg},
+    {"yaw_rad", PoseField::yaw, 1.0},
+    {"heading_deg", PoseField::heading, kRadPerDeg},
+    {"heading_rad", PoseField::heading, 1.0},
+    {"quality", PoseField::quality, 1.0},
 };
 
-constexpr Column kOther = {"", Field::other, 1.0};
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
+constexpr Column kOtherColumn = {"", PoseField::other, 1.0};
 
 /// What a receiver without a fix writes in place of a number.
 bool is_missing(std::string_view text) {
-  const std::string word = lower(text.starts_with('-') ? text.substr(1) : text);
+  const std::string word = lower_case(text.starts_with('-') ? text.substr(1) : text);
   return word.empty() || word == "nan" || word == "inf" || word == "infinity";
 }
 
@@ -108,9 +102,9 @@ std::optional<Stamp> parse_nanoseconds(std::string_view text) {
 /// One row, in SI units.
 struct Row {
   std::optional<Stamp> stamp;
-  std::array<double, kFields> values{};
+  std::array<double, kPoseFields> values{};
 
-  [[nodiscard]] double operator[](Field field) const { return values[static_cast<std::size_t>(field)]; }
+  [[nodiscard]] double operator[](PoseField field) const { return values[static_cast<std::size_t>(field)]; }
 };
 
 class PoseCsvReader {
@@ -130,7 +124,7 @@ class PoseCsvReader {
   }
 
  private:
-  [[nodiscard]] bool has(Field field) const { return has_[static_cast<std::size_t>(field)]; }
+  [[nodiscard]] bool has(PoseField field) const { return has_[static_cast<std::size_t>(field)]; }
 
   void take_header(std::string_view line) {
     if (line.starts_with("\xEF\xBB\xBF")) {
@@ -140,25 +134,25 @@ class PoseCsvReader {
       more = line.find(',') != std::string_view::npos;
       take_name(take_column(line));
     }
-    if (has(Field::t) == has(Field::t_ns)) {
+    if (has(PoseField::t) == has(PoseField::t_ns)) {
       throw lines_.error("expected one column of time, t (s) or t_ns");
     }
-    local_ = check_group({Field::x, Field::y, Field::z}, "x, y, z");
-    if (local_ == check_group({Field::lat, Field::lon, Field::h}, "lat_deg, lon_deg, h_m")) {
+    local_ = check_group({PoseField::x, PoseField::y, PoseField::z}, "x, y, z");
+    if (local_ == check_group({PoseField::lat, PoseField::lon, PoseField::h}, "lat_deg, lon_deg, h_m")) {
       throw lines_.error("expected the position either as x, y, z or as lat_deg, lon_deg, h_m");
     }
-    quaternion_ = check_group({Field::qx, Field::qy, Field::qz, Field::qw}, "qx, qy, qz, qw");
-    const int ways = (quaternion_ ? 1 : 0) + (has(Field::yaw) ? 1 : 0) + (has(Field::heading) ? 1 : 0);
-    if (ways != 1 || (quaternion_ && (has(Field::roll) || has(Field::pitch)))) {
+    quaternion_ = check_group({PoseField::qx, PoseField::qy, PoseField::qz, PoseField::qw}, "qx, qy, qz, qw");
+    const int ways = (quaternion_ ? 1 : 0) + (has(PoseField::yaw) ? 1 : 0) + (has(PoseField::heading) ? 1 : 0);
+    if (ways != 1 || (quaternion_ && (has(PoseField::roll) || has(PoseField::pitch)))) {
       throw lines_.error(
           "expected the attitude in one way: yaw_deg or heading_deg, with roll_deg and pitch_deg, or "
           "qx, qy, qz, qw");
     }
-    if (!quaternion_ && !(has(Field::roll) && has(Field::pitch))) {
+    if (!quaternion_ && !(has(PoseField::roll) && has(PoseField::pitch))) {
       builder_.note("the log does not say " +
-                    std::string(has(Field::roll)    ? "pitch"
-                                : has(Field::pitch) ? "roll"
-                                                    : "roll and pitch") +
+                    std::string(has(PoseField::roll)    ? "pitch"
+                                : has(PoseField::pitch) ? "roll"
+                                                        : "roll and pitch") +
                     ": the machine is taken to be level there, which puts edges on slopes too high or too low");
     }
   }
@@ -167,10 +161,10 @@ class PoseCsvReader {
     if (columns_.size() == kMaxColumns) {
       throw lines_.error("more than " + std::to_string(kMaxColumns) + " columns; is this a table of poses?");
     }
-    const auto found = std::find_if(std::begin(kColumns), std::end(kColumns),
+    const auto found = std::find_if(std::begin(kPoseColumns), std::end(kPoseColumns),
                                     [name](const Column& column) { return column.name == name; });
-    columns_.push_back(found == std::end(kColumns) ? kOther : *found);
-    if (found == std::end(kColumns)) {
+    columns_.push_back(found == std::end(kPoseColumns) ? kOtherColumn : *found);
+    if (found == std::end(kPoseColumns)) {
       builder_.note("column " + quoted(name) + " means nothing here and is passed over");
       return;
     }
@@ -182,8 +176,8 @@ class PoseCsvReader {
   }
 
   /// Whether all of `fields` are there; an error if only some are.
-  [[nodiscard]] bool check_group(std::initializer_list<Field> fields, const std::string& names) const {
-    const auto count = std::count_if(fields.begin(), fields.end(), [this](Field field) { return has(field); });
+  [[nodiscard]] bool check_group(std::initializer_list<PoseField> fields, const std::string& names) const {
+    const auto count = std::count_if(fields.begin(), fields.end(), [this](PoseField field) { return has(field); });
     if (count != 0 && count != static_cast<std::ptrdiff_t>(fields.size())) {
       throw lines_.error("expected all of " + names + " or none of them");
     }
@@ -200,10 +194,10 @@ class PoseCsvReader {
       throw lines_.error("the time is not later than the one before; sort the rows by time and drop repeated ones");
     }
     last_ = row.stamp;
-    const auto quality = has(Field::quality) ? static_cast<int>(row[Field::quality]) : 1;
+    const auto quality = has(PoseField::quality) ? static_cast<int>(row[PoseField::quality]) : 1;
     if (quality <= 0) {
       ++builder_.counts().no_fix;
-    } else if (has(Field::quality) && !is_good_fix(quality, builder_.config())) {
+    } else if (has(PoseField::quality) && !is_good_fix(quality, builder_.config())) {
       builder_.add_poor_fix(*row.stamp);
     } else {
       add_pose(row);
@@ -219,7 +213,7 @@ class PoseCsvReader {
       if (last != (i + 1 == columns_.size())) {
         throw lines_.error("expected " + std::to_string(columns_.size()) + " columns, as in the header");
       }
-      if (columns_[i].field == Field::other) {
+      if (columns_[i].field == PoseField::other) {
         continue;
       }
       if (is_missing(text)) {
@@ -232,10 +226,10 @@ class PoseCsvReader {
   }
 
   void parse_value(const Column& column, std::string_view text, Row& row) const {
-    const bool is_time = column.field == Field::t || column.field == Field::t_ns;
+    const bool is_time = column.field == PoseField::t || column.field == PoseField::t_ns;
     const std::optional<double> value = is_time ? std::optional(0.0) : parse_number(text);
     if (is_time) {
-      row.stamp = column.field == Field::t ? parse_seconds(text) : parse_nanoseconds(text);
+      row.stamp = column.field == PoseField::t ? parse_seconds(text) : parse_nanoseconds(text);
     }
     if (!value || (is_time && !row.stamp)) {
       throw lines_.error(quoted(text) + " is no number for column " + std::string(column.name));
@@ -248,13 +242,13 @@ class PoseCsvReader {
   void check_value(const Column& column, double value) const {
     const double limit = [&] {
       switch (column.field) {
-        case Field::lat:
+        case PoseField::lat:
           return 90.0;
-        case Field::lon:
+        case PoseField::lon:
           return 360.0;
-        case Field::h:
+        case PoseField::h:
           return 100'000.0;
-        case Field::quality:
+        case PoseField::quality:
           return 100.0;
         default:
           return kMaxCoordinate_m;
@@ -271,10 +265,10 @@ class PoseCsvReader {
     pose.attitude = attitude(row);
     bool added = false;
     if (local_) {
-      pose.position_m = {row[Field::x], row[Field::y], row[Field::z]};
+      pose.position_m = {row[PoseField::x], row[PoseField::y], row[PoseField::z]};
       added = builder_.add_local(pose);
     } else {
-      pose.place = {row[Field::lat], row[Field::lon], row[Field::h]};
+      pose.place = {row[PoseField::lat], row[PoseField::lon], row[PoseField::h]};
       added = builder_.add_geodetic(pose);
     }
     if (!added) {
@@ -284,11 +278,12 @@ class PoseCsvReader {
 
   [[nodiscard]] Eigen::Quaterniond attitude(const Row& row) const {
     if (!quaternion_) {
-      const double yaw_rad = has(Field::yaw) ? row[Field::yaw] : 0.5 * std::numbers::pi - row[Field::heading];
-      return attitude_of(yaw_rad, row[Field::pitch], row[Field::roll]);
+      const double yaw_rad =
+          has(PoseField::yaw) ? row[PoseField::yaw] : 0.5 * std::numbers::pi - row[PoseField::heading];
+      return attitude_of(yaw_rad, row[PoseField::pitch], row[PoseField::roll]);
     }
-    const Eigen::Quaterniond q(row[Field::qw], row[Field::qx], row[Field::qy], row[Field::qz]);
-    if (!(std::abs(q.norm() - 1.0) <= kQuaternionTolerance)) {
+    const Eigen::Quaterniond q(row[PoseField::qw], row[PoseField::qx], row[PoseField::qy], row[PoseField::qz]);
+    if (!(std::abs(q.norm() - 1.0) <= kUnitQuaternion)) {
       throw lines_.error("the quaternion has norm " + std::to_string(q.norm()) + ", expected 1");
     }
     return q.normalized();
@@ -297,7 +292,7 @@ class PoseCsvReader {
   LineReader& lines_;
   PoseLogBuilder& builder_;
   std::vector<Column> columns_;
-  std::array<bool, kFields> has_{};
+  std::array<bool, kPoseFields> has_{};
   bool local_ = false;
   bool quaternion_ = false;
   std::optional<Stamp> last_;

@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Enough for any first line and the comments before it.
-constexpr std::size_t kHeadBytes = 65536;
+constexpr std::size_t kPoseHeadBytes = 65536;
 
-std::string read_head(const fs::path& path) {
+std::string read_pose_head(const fs::path& path) {
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
   if (!fs::exists(status)) {
@@ -33,7 +33,7 @@ std::string read_head(const fs::path& path) {
   if (!stream.is_open()) {
     throw FileError(ErrorCode::unreadable, path.string(), std::nullopt, "cannot be read, expected a file of poses");
   }
-  std::string head(kHeadBytes, '\0');
+  std::string head(kPoseHeadBytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
   return head;
@@ -69,7 +69,7 @@ std::size_t count_numbers(std::string_view line) {
 PoseFileKind recognise_pose_file(const fs::path& path) {
   constexpr std::size_t kTumNumbers = 8;
   constexpr std::size_t kKittiNumbers = 12;
-  const std::string head = read_head(path);
+  const std::string head = read_pose_head(path);
   const fs::path extension = path.extension();
   if (extension == ".tum") {
     return PoseFileKind::tum;

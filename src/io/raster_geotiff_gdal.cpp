@@ -17,7 +17,7 @@
 namespace berm {
 namespace {
 
-constexpr double kNodata = -9999.0;
+constexpr double kNodataHeight = -9999.0;
 
 void check(bool good, const char* what) {
   if (!good) {
@@ -31,7 +31,7 @@ std::string memory_name() {
   return fmt::format("/vsimem/berm-raster-{}.tif", ++calls);
 }
 
-struct CloseDataset {
+struct CloseOutput {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
 
@@ -63,13 +63,13 @@ void set_place(GDALDataset& dataset, const RasterFrame& frame) {
 void write_band(GDALRasterBand& target, const RasterFrame& frame, const RasterBand& band) {
   target.SetDescription(band.name.c_str());
   target.SetUnitType(band.unit.c_str());
-  check(target.SetNoDataValue(kNodata) == CE_None, "takes no NODATA");
+  check(target.SetNoDataValue(kNodataHeight) == CE_None, "takes no NODATA");
   std::vector<float> values(frame.columns);
   for (std::size_t line = 0; line < frame.rows; ++line) {
     values.assign(frame.columns, std::numeric_limits<float>::quiet_NaN());
     band.fill(frame.rows - 1 - line, values);
     for (float& value : values) {
-      value = std::isnan(value) ? static_cast<float>(kNodata) : value;
+      value = std::isnan(value) ? static_cast<float>(kNodataHeight) : value;
     }
     check(target.RasterIO(GF_Write, 0, static_cast<int>(line), static_cast<int>(frame.columns), 1, values.data(),
                           static_cast<int>(frame.columns), 1, GDT_Float32, 0, 0, nullptr) == CE_None,
@@ -90,7 +90,7 @@ std::string to_geotiff(const RasterFrame& frame, std::span<const RasterBand> ban
   options.SetNameValue("INTERLEAVE", "BAND");
   options.SetNameValue("BIGTIFF", "IF_SAFER");
   {
-    const std::unique_ptr<GDALDataset, CloseDataset> dataset(
+    const std::unique_ptr<GDALDataset, CloseOutput> dataset(
         driver->Create(file.name.c_str(), static_cast<int>(frame.columns), static_cast<int>(frame.rows),
                        static_cast<int>(bands.size()), GDT_Float32, options.List()));
     check(dataset != nullptr, "cannot be begun");

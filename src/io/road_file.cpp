@@ -3,12 +3,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/trajectory_file.hpp"
@@ -19,7 +19,6 @@
 namespace berm {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kPercent = 0.01;
 
 /// The columns of a table, one after the other; `Station` is const where they are written. A measure takes two.
@@ -30,7 +29,7 @@ void visit_columns(Station& station, Visitor&& visit) {
   visit.number("x_m", station.position_m.x(), 1.0);
   visit.number("y_m", station.position_m.y(), 1.0);
   visit.number("z_m", station.position_m.z(), 1.0);
-  visit.number("heading_deg", station.heading_rad, kDegree);
+  visit.number("heading_deg", station.heading_rad, kRadPerDeg);
   visit.measure("left_m", station.left.edge_m, 1.0);
   visit.measure("right_m", station.right.edge_m, 1.0);
   visit.measure("width_m", station.width_m, 1.0);

@@ -4,15 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
+
 namespace berm {
 namespace {
-
-constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 /// From the data sheets; elevations of the lowest and the highest laser.
 struct SpinningModel {
@@ -93,9 +92,9 @@ double misfit(const SpinningModel& model, int rings, double low_deg, double high
 }
 
 SensorGuess guess_spinning(const RingCount& rings, const FieldOfView& view, const BeamMotion& motion) {
-  const double low_deg = view.elevation_min_rad * kDegreesPerRadian;
-  const double high_deg = view.elevation_max_rad * kDegreesPerRadian;
-  const double stagger_deg = motion.stagger_rad * kDegreesPerRadian;
+  const double low_deg = view.elevation_min_rad * kDegPerRad;
+  const double high_deg = view.elevation_max_rad * kDegPerRad;
+  const double stagger_deg = motion.stagger_rad * kDegPerRad;
   const SpinningModel* best = nullptr;
   double best_misfit = std::numeric_limits<double>::infinity();
   for (const SpinningModel& model : kSpinningModels) {
@@ -118,9 +117,9 @@ SensorGuess guess_spinning(const RingCount& rings, const FieldOfView& view, cons
 }
 
 SensorGuess guess_prism(const FieldOfView& view, int lines) {
-  const double low_deg = view.elevation_min_rad * kDegreesPerRadian;
-  const double high_deg = view.elevation_max_rad * kDegreesPerRadian;
-  const double width_deg = (view.azimuth_max_rad - view.azimuth_min_rad) * kDegreesPerRadian;
+  const double low_deg = view.elevation_min_rad * kDegPerRad;
+  const double high_deg = view.elevation_max_rad * kDegPerRad;
+  const double width_deg = (view.azimuth_max_rad - view.azimuth_min_rad) * kDegPerRad;
   const double height_deg = high_deg - low_deg;
   const std::string turns = lines > 1 ? fmt::format("{} lines take turns", lines) : "one line";
   SensorGuess guess;

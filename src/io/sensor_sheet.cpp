@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include <nlohmann/json.hpp>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/config.hpp"
 #include "berm/core/error.hpp"
 #include "berm/io/atomic_file.hpp"
@@ -19,7 +19,6 @@ using Json = nlohmann::json;
 
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 20U;
 constexpr int kMaxDepth = 16;
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 Json parse_bounded(std::string_view text, const std::string& name) {
   const auto check_depth = [&](int depth, Json::parse_event_t /*event*/, Json& /*parsed*/) {
@@ -81,7 +80,7 @@ std::array<double, 3> point_of(const Json& value, const std::string& key, const 
 
 /// Rid of the last digits that the way through radians left.
 double to_deg(double angle_rad) {
-  return std::round(angle_rad / kRadiansPerDegree * 1e9) / 1e9;
+  return std::round(angle_rad / kRadPerDeg * 1e9) / 1e9;
 }
 
 }  // namespace
@@ -105,11 +104,11 @@ SensorSheet parse_sensor_sheet(std::string_view text, const std::string& name) {
     } else if (key == "sensor_height_m") {
       sheet.height_m = number_in(value, key, {0.0, 100.0}, name);
     } else if (key == "sensor_pitch_deg") {
-      sheet.pitch_rad = number_in(value, key, {-90.0, 90.0}, name) * kRadiansPerDegree;
+      sheet.pitch_rad = number_in(value, key, {-90.0, 90.0}, name) * kRadPerDeg;
     } else if (key == "sensor_roll_deg") {
-      sheet.roll_rad = number_in(value, key, {-180.0, 180.0}, name) * kRadiansPerDegree;
+      sheet.roll_rad = number_in(value, key, {-180.0, 180.0}, name) * kRadPerDeg;
     } else if (key == "sensor_yaw_deg") {
-      sheet.yaw_rad = number_in(value, key, {-180.0, 180.0}, name) * kRadiansPerDegree;
+      sheet.yaw_rad = number_in(value, key, {-180.0, 180.0}, name) * kRadPerDeg;
     } else if (key == "scenario") {
       sheet.scenario = text_of(value, key, name);
     } else if (key == "seed") {

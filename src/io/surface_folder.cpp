@@ -18,12 +18,12 @@ namespace berm {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr const char* kSchema = "berm.surface/1";
+constexpr const char* kSurfaceSchema = "berm.surface/1";
 constexpr std::size_t kTileRecord = 4 * sizeof(float) + 2 * sizeof(std::uint32_t) + 5 * sizeof(std::uint16_t);
 constexpr std::size_t kCloudRecord = 4 * sizeof(float) + 2 * sizeof(std::uint32_t);
-constexpr std::size_t kBlockPoints = 4096;
+constexpr std::size_t kTileBlockPoints = 4096;
 constexpr double kMostCoordinate_m = 1e9;
 
 constexpr std::string_view kTileFields =
@@ -38,7 +38,8 @@ std::string header_of(std::string_view fields, std::uint64_t points) {
                      points, points);
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& problem, ErrorCode code = ErrorCode::malformed) {
+[[noreturn]] void refuse_tile(const std::string& name, const std::string& problem,
+                              ErrorCode code = ErrorCode::malformed) {
   throw FileError(code, name, std::nullopt, problem);
 }
 
@@ -86,9 +87,9 @@ void pack_votes(Packer& packer, const SurfacePoint& point) {
 
 void write_points(AtomicFile& file, std::span<const SurfacePoint> points, bool with_votes) {
   const std::size_t record = with_votes ? kTileRecord : kCloudRecord;
-  std::vector<std::byte> block(kBlockPoints * record);
-  for (std::size_t begin = 0; begin < points.size(); begin += kBlockPoints) {
-    const auto part = points.subspan(begin, std::min(kBlockPoints, points.size() - begin));
+  std::vector<std::byte> block(kTileBlockPoints * record);
+  for (std::size_t begin = 0; begin < points.size(); begin += kTileBlockPoints) {
+    const auto part = points.subspan(begin, std::min(kTileBlockPoints, points.size() - begin));
     for (std::size_t i = 0; i < part.size(); ++i) {
       Packer packer(block.data() + i * record);
       pack_common(packer, part[i]);
@@ -119,53 +120,53 @@ std::uint64_t announced_points(std::string_view text, const std::string& name) {
   std::uint64_t points = 0;
   if (std::from_chars(number.data(), number.data() + number.size(), points).ec != std::errc() ||
       !text.starts_with(header_of(kTileFields, points))) {
-    refuse(name, "is no tile of a surface map: another header than berm writes");
+    refuse_tile(name, "is no tile of a surface map: another header than berm writes");
   }
   return points;
 }
 
-double number_in(const Json& json, const char* key, double most, const std::string& name) {
+double number_in(const OrderedJson& json, const char* key, double most, const std::string& name) {
   const auto place = json.find(key);
   if (place == json.end() || !place->is_number() || !(std::abs(place->get<double>()) <= most)) {
-    refuse(name, fmt::format("'{}' is missing or no number within +-{}", key, most));
+    refuse_tile(name, fmt::format("'{}' is missing or no number within +-{}", key, most));
   }
   return place->get<double>();
 }
 
 template <typename Integer>
-Integer integer_in(const Json& json, const char* key, const std::string& name) {
+Integer integer_in(const OrderedJson& json, const char* key, const std::string& name) {
   const auto place = json.find(key);
   if (place == json.end() || !place->is_number_integer() || place->get<std::int64_t>() < -(std::int64_t{1} << 31U) ||
       place->get<std::int64_t>() >= std::int64_t{1} << 31U ||
       (std::is_unsigned_v<Integer> && place->get<std::int64_t>() < 0)) {
-    refuse(name, fmt::format("'{}' is missing or no whole number that can be", key));
+    refuse_tile(name, fmt::format("'{}' is missing or no whole number that can be", key));
   }
   return place->get<Integer>();
 }
 
-void read_tile_entry(const Json& json, SurfaceIndex& index, const std::string& name) {
+void read_tile_entry(const OrderedJson& json, SurfaceIndex& index, const std::string& name) {
   if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) {
-    refuse(name, "a tile has no 'file'");
+    refuse_tile(name, "a tile has no 'file'");
   }
   const TileKey key{integer_in<std::int32_t>(json, "x", name), integer_in<std::int32_t>(json, "y", name)};
   const std::string file = json["file"].get<std::string>();
   // Names are taken to be in the folder of the index.
   if (file.empty() || file.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos ||
       !file.ends_with(".pcd")) {
-    refuse(name, "'" + file + "' is no name of a tile");
+    refuse_tile(name, "'" + file + "' is no name of a tile");
   }
   if (!index.tiles.try_emplace(key, SurfaceTileEntry{file, integer_in<std::uint32_t>(json, "points", name)}).second) {
-    refuse(name, fmt::format("tile {}, {} is named twice", key.x, key.y));
+    refuse_tile(name, fmt::format("tile {}, {} is named twice", key.x, key.y));
   }
 }
 
 std::string to_text(const SurfaceIndex& index) {
   const Eigen::Vector3d& origin_m = index.frame.origin_m;
-  Json json = {{"schema", kSchema},
-               {"voxel_m", index.frame.voxel_m},
-               {"tile_m", index.frame.tile_m},
-               {"origin_m", {origin_m.x(), origin_m.y(), origin_m.z()}},
-               {"tiles", Json::array()}};
+  OrderedJson json = {{"schema", kSurfaceSchema},
+                      {"voxel_m", index.frame.voxel_m},
+                      {"tile_m", index.frame.tile_m},
+                      {"origin_m", {origin_m.x(), origin_m.y(), origin_m.z()}},
+                      {"tiles", OrderedJson::array()}};
   for (const auto& [key, entry] : index.tiles) {
     json["tiles"].push_back({{"x", key.x}, {"y", key.y}, {"file", entry.file}, {"points", entry.points}});
   }
@@ -175,29 +176,29 @@ std::string to_text(const SurfaceIndex& index) {
 }  // namespace
 
 SurfaceIndex parse_surface_index(std::string_view text, const std::string& name) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("schema") || json["schema"] != kSchema) {
-    refuse(name, std::string("is no index of a surface map, expected schema ") + kSchema);
+  const OrderedJson json = OrderedJson::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("schema") || json["schema"] != kSurfaceSchema) {
+    refuse_tile(name, std::string("is no index of a surface map, expected schema ") + kSurfaceSchema);
   }
   SurfaceIndex index;
   index.frame.voxel_m = number_in(json, "voxel_m", kMostCoordinate_m, name);
   index.frame.tile_m = number_in(json, "tile_m", kMostCoordinate_m, name);
   if (!(index.frame.voxel_m > 0.0 && index.frame.tile_m >= index.frame.voxel_m)) {
-    refuse(name, "voxels and tiles have no size that can be");
+    refuse_tile(name, "voxels and tiles have no size that can be");
   }
   const auto origin = json.find("origin_m");
   if (origin == json.end() || !origin->is_array() || origin->size() != 3 || !json.contains("tiles") ||
       !json["tiles"].is_array()) {
-    refuse(name, "expected three numbers in 'origin_m' and a list 'tiles'");
+    refuse_tile(name, "expected three numbers in 'origin_m' and a list 'tiles'");
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Json& value = (*origin)[axis];
+    const OrderedJson& value = (*origin)[axis];
     if (!value.is_number() || !(std::abs(value.get<double>()) <= kMostCoordinate_m)) {
-      refuse(name, "'origin_m' is no place");
+      refuse_tile(name, "'origin_m' is no place");
     }
     index.frame.origin_m[static_cast<Eigen::Index>(axis)] = value.get<double>();
   }
-  for (const Json& tile : json["tiles"]) {
+  for (const OrderedJson& tile : json["tiles"]) {
     read_tile_entry(tile, index, name);
   }
   return index;
@@ -208,8 +209,9 @@ std::vector<SurfacePoint> parse_surface_tile(std::span<const std::byte> bytes, c
   const std::uint64_t count = announced_points(text, name);
   const std::span<const std::byte> body = bytes.subspan(header_of(kTileFields, count).size());
   if (body.size() % kTileRecord != 0 || body.size() / kTileRecord != count) {
-    refuse(name, fmt::format("holds {} bytes of points, expected {} points of {}", body.size(), count, kTileRecord),
-           body.size() / kTileRecord < count ? ErrorCode::truncated : ErrorCode::malformed);
+    refuse_tile(name,
+                fmt::format("holds {} bytes of points, expected {} points of {}", body.size(), count, kTileRecord),
+                body.size() / kTileRecord < count ? ErrorCode::truncated : ErrorCode::malformed);
   }
   std::vector<SurfacePoint> points(count);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -226,7 +228,7 @@ std::vector<SurfacePoint> parse_surface_tile(std::span<const std::byte> bytes, c
     }
     const auto label = label_of(id);
     if (!label || !std::isfinite(point.x_m) || !std::isfinite(point.y_m) || !std::isfinite(point.z_m)) {
-      refuse(name, fmt::format("point {} has no place, or the label {}", i, id));
+      refuse_tile(name, fmt::format("point {} has no place, or the label {}", i, id));
     }
     point.label = *label;
   }
@@ -263,7 +265,7 @@ std::vector<SurfacePoint> SurfaceFolder::load(const TileKey& key) const {
   FileBuffer buffer;
   std::vector<SurfacePoint> points = parse_surface_tile(read_file(file, buffer), file.string());
   if (points.size() != place->second.points) {
-    refuse(file.string(), fmt::format("holds {} points, the index says {}", points.size(), place->second.points));
+    refuse_tile(file.string(), fmt::format("holds {} points, the index says {}", points.size(), place->second.points));
   }
   return points;
 }

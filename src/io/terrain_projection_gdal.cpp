@@ -9,7 +9,7 @@
 namespace berm {
 namespace {
 
-constexpr int kWgs84 = 4326;
+constexpr int kWgs84Code = 4326;
 
 struct DestroyTransformation {
   void operator()(OGRCoordinateTransformation* t) const { OGRCoordinateTransformation::DestroyCT(t); }
@@ -21,7 +21,8 @@ ToModel projection_to(const std::string& crs, const std::string& file) {
   const QuietGdal quiet;
   OGRSpatialReference earth;
   OGRSpatialReference model;
-  const bool known = earth.importFromEPSG(kWgs84) == OGRERR_NONE && model.SetFromUserInput(crs.c_str()) == OGRERR_NONE;
+  const bool known =
+      earth.importFromEPSG(kWgs84Code) == OGRERR_NONE && model.SetFromUserInput(crs.c_str()) == OGRERR_NONE;
   earth.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   model.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   std::shared_ptr<OGRCoordinateTransformation> transformation(

@@ -13,13 +13,13 @@
 namespace berm {
 namespace {
 
-constexpr double kQuaternionTolerance = 1e-2;
+constexpr double kUnitTolerance = 1e-2;
 /// Stamps that increase over many lines have several digits, so that hardly a line is shorter. Room is made once: a
 /// vector that grows would hold its poses twice for a moment, more than 4 times the file.
-constexpr std::uintmax_t kMinLineBytes = 20;
-constexpr int kMetreDecimals = 6;
+constexpr std::uintmax_t kLeastLineBytes = 20;
+constexpr int kTumDecimals = 6;
 constexpr int kQuaternionDecimals = 9;
-constexpr std::string_view kColumns = "t x y z qx qy qz qw";
+constexpr std::string_view kTumColumns = "t x y z qx qy qz qw";
 
 void check_position(const LineReader& lines, const Eigen::Vector3d& position_m) {
   if (position_m.cwiseAbs().maxCoeff() > kMaxCoordinate_m) {
@@ -32,7 +32,8 @@ StampedPose parse_tum_line(const LineReader& lines, std::string_view line) {
   const std::string_view word = take_word(rest);
   const std::optional<Stamp> stamp = parse_seconds(word);
   if (!stamp) {
-    throw lines.error("expected a stamp in seconds, found " + quoted(word) + "; a line holds " + std::string(kColumns));
+    throw lines.error("expected a stamp in seconds, found " + quoted(word) + "; a line holds " +
+                      std::string(kTumColumns));
   }
   std::array<double, 7> v{};
   lines.parse_numbers(rest, "after the stamp: x y z qx qy qz qw", v);
@@ -40,16 +41,16 @@ StampedPose parse_tum_line(const LineReader& lines, std::string_view line) {
   check_position(lines, position_m);
   const Eigen::Quaterniond rotation(v[6], v[3], v[4], v[5]);
   // Also catches an overflow of the norm.
-  if (!(std::abs(rotation.norm() - 1.0) <= kQuaternionTolerance)) {
+  if (!(std::abs(rotation.norm() - 1.0) <= kUnitTolerance)) {
     throw lines.error("the quaternion has norm " + std::to_string(rotation.norm()) + ", expected 1; columns are " +
-                      std::string(kColumns));
+                      std::string(kTumColumns));
   }
   return {*stamp, Pose(rotation, position_m)};
 }
 
 Trajectory read_tum(LineReader& lines) {
   Trajectory trajectory;
-  trajectory.reserve(lines.bytes() / kMinLineBytes);
+  trajectory.reserve(lines.bytes() / kLeastLineBytes);
   std::string_view line;
   while (lines.next(line)) {
     const StampedPose pose = parse_tum_line(lines, line);
@@ -66,7 +67,7 @@ void append_tum_line(std::string& text, const StampedPose& pose) {
   const Eigen::Vector3d& p = pose.T_world_base.translation_m();
   for (const double value : {p.x(), p.y(), p.z()}) {
     text += ' ';
-    append_fixed(text, value, kMetreDecimals);
+    append_fixed(text, value, kTumDecimals);
   }
   // q and -q are one rotation: the choice of one keeps the bytes a function of the pose.
   const Eigen::Quaterniond& q = pose.T_world_base.rotation();

@@ -15,7 +15,7 @@ constexpr double kMostSegment_m = 1000.0;
 /// What lies nearer to the path was driven over.
 constexpr double kLeast_m = 0.5;
 /// Edges far above or below are those of another road: of the next bench, on a ramp that turns back.
-constexpr double kMostClimb_m = 4.0;
+constexpr double kCrossingClimb_m = 4.0;
 
 void keep_nearer(std::optional<double>& nearest, double distance_m) {
   if (!nearest || distance_m < *nearest) {
@@ -86,7 +86,7 @@ RoadCrossings RoadEdgeIndex::find(const RoadPlace& place, double reach_m) const 
       const double left_m = a.y() + share * (b.y() - a.y());
       const double z_m = segments_[number].from_m.z() +
                          share * (segments_[number].to_m.z() - segments_[number].from_m.z()) - place.position_m.z();
-      if (std::abs(left_m) >= kLeast_m && std::abs(left_m) <= reach_m && std::abs(z_m) <= kMostClimb_m) {
+      if (std::abs(left_m) >= kLeast_m && std::abs(left_m) <= reach_m && std::abs(z_m) <= kCrossingClimb_m) {
         keep_nearer(left_m > 0.0 ? crossings.left_m : crossings.right_m, std::abs(left_m));
       }
     }

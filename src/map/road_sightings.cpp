@@ -9,8 +9,8 @@ namespace berm {
 namespace {
 
 /// A place is looked up by the cell that a point lies in, and from there along the path.
-constexpr float kCell_m = 2.0F;
-constexpr int kCells = 40;  // 2 kView_m / kCell_m
+constexpr float kSightingCell_m = 2.0F;
+constexpr int kCells = 40;  // 2 kView_m / kSightingCell_m
 constexpr std::int32_t kUnknown = -1;
 /// Points farther along the path than this from every place belong to none: a cross-section is no longer than a metre
 /// where places lie farther apart, and no shorter where bends spread them.
@@ -99,8 +99,8 @@ void RoadSightings::open_window(Stamp stamp_ns) {
 int RoadSightings::nearest_in_cell(int column, int row) {
   std::int32_t& known = nearest_[static_cast<std::size_t>(row * kCells + column)];
   if (known == kUnknown) {
-    const float x_m = (static_cast<float>(column) + 0.5F) * kCell_m - static_cast<float>(kView_m);
-    const float y_m = (static_cast<float>(row) + 0.5F) * kCell_m - static_cast<float>(kView_m);
+    const float x_m = (static_cast<float>(column) + 0.5F) * kSightingCell_m - static_cast<float>(kView_m);
+    const float y_m = (static_cast<float>(row) + 0.5F) * kSightingCell_m - static_cast<float>(kView_m);
     float least = std::numeric_limits<float>::max();
     for (std::size_t i = 0; i < window_.size(); ++i) {
       const float dx = window_[i].x_m - x_m;
@@ -121,8 +121,8 @@ bool RoadSightings::find_spot(const Eigen::Vector3d& point_m, Spot& spot) {
   if (!(std::abs(x_m) < kReach_m && std::abs(y_m) < kReach_m && std::abs(above_m) < kLevels_m)) {
     return false;
   }
-  int nearest =
-      nearest_in_cell(static_cast<int>((x_m + kReach_m) / kCell_m), static_cast<int>((y_m + kReach_m) / kCell_m));
+  int nearest = nearest_in_cell(static_cast<int>((x_m + kReach_m) / kSightingCell_m),
+                                static_cast<int>((y_m + kReach_m) / kSightingCell_m));
   const auto squared_to = [&](int place) {
     const WindowPlace& w = window_[static_cast<std::size_t>(place)];
     return (w.x_m - x_m) * (w.x_m - x_m) + (w.y_m - y_m) * (w.y_m - y_m);

@@ -20,12 +20,12 @@ constexpr double kToe_m = 0.5;
 constexpr double kNearby_m = 10.0;
 constexpr double kBlindSide_m = 5.0;
 /// Fewer points in a strip are no road.
-constexpr std::uint32_t kLeastPoints = 3;
+constexpr std::uint32_t kLeastFitPoints = 3;
 constexpr std::size_t kLeastStrips = 4;
 /// Of the height of a strip: ruts, stones, the ground stage; and neighbours deviate alike.
 constexpr double kStripScatter_m = 0.005;
 constexpr double kAlike = 2.5;
-constexpr double kSigmaOverMad = 1.4826;  // of normal errors
+constexpr double kFitSigmaOverMad = 1.4826;  // of normal errors
 /// Of the height of a place, and of that in one look.
 constexpr double kLeastHeightScatter_m = 0.010;
 constexpr double kLeastLookScatter_m = 0.020;
@@ -77,7 +77,7 @@ std::optional<Measure> measure_slope(std::span<const Sample> samples, double lea
     for (std::size_t i = 0; i < samples.size(); ++i) {
       off[i] = std::abs(samples[i].y - fit.height() - slope * samples[i].x);
     }
-    const double scatter = std::max(kSigmaOverMad * median_of(off), least_scatter);
+    const double scatter = std::max(kFitSigmaOverMad * median_of(off), least_scatter);
     sigma = scatter * std::sqrt(kAlike / fit.spread());
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double share = off[i] / (2.0 * scatter);
@@ -117,7 +117,7 @@ std::optional<Measure> fit_cross_fall(const RoadSightings& seen, std::size_t pla
                                       double grade, double floor) {
   std::vector<Sample> samples;
   for (const GroundStrip& strip : seen.ground(place)) {
-    if (strip.count >= kLeastPoints && strip.left_m() <= left_m && strip.left_m() >= -right_m) {
+    if (strip.count >= kLeastFitPoints && strip.left_m() <= left_m && strip.left_m() >= -right_m) {
       samples.push_back({strip.left_m(), strip.z_m() - grade * strip.along_m()});
     }
   }
@@ -140,7 +140,7 @@ std::optional<PathHeight> path_height(const RoadSightings& seen, std::size_t pla
   PathHeight height;
   std::vector<double> level_m;
   for (const GroundStrip& look : seen.looks(place)) {
-    if (look.count >= kLeastPoints) {
+    if (look.count >= kLeastFitPoints) {
       const double above_m = look.z_m() - cross_fall * look.left_m();
       height.along_m += look.along_m();
       height.above_m += above_m;
@@ -157,7 +157,7 @@ std::optional<PathHeight> path_height(const RoadSightings& seen, std::size_t pla
   for (double& off_m : level_m) {
     off_m = std::abs(off_m - middle_m);
   }
-  height.scatter_m = std::max(kSigmaOverMad * median_of(std::move(level_m)), kLeastLookScatter_m);
+  height.scatter_m = std::max(kFitSigmaOverMad * median_of(std::move(level_m)), kLeastLookScatter_m);
   return height;
 }
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
+#include "berm/core/angle.hpp"
 #include "road_crossings.hpp"
 #include "road_path.hpp"
 #include "road_sides.hpp"
@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kSure = 2.0;  // standard deviations
 constexpr double kPercent = 100.0;
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Whether `measure` is at least `limit`.
 RuleVerdict judge_least(const std::optional<Measure>& measure, double limit) {
@@ -92,7 +91,7 @@ std::vector<RoadStation> RoadSurvey::stations(std::span<const EdgeLine> lines) c
     crossings.push_back(index.find(place, state_->config.reach_m));
   }
   const std::vector<RoadSlopes> slopes =
-      measure_slopes(seen, crossings, std::tan(state_->config.attitude_sigma_deg * kDegree));
+      measure_slopes(seen, crossings, std::tan(state_->config.attitude_sigma_deg * kRadPerDeg));
   std::vector<RoadStation> stations(seen.places().size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const RoadPlace& place = seen.places()[i];

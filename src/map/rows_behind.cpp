@@ -16,8 +16,8 @@ namespace {
 
 /// So far towards the road: across the widest berm and a strip behind it.
 constexpr double kLook_m = 15.0;
-constexpr double kCell_m = 1.0;
-constexpr double kStep_m = 0.5;
+constexpr double kRowCell_m = 1.0;
+constexpr double kRowStep_m = 0.5;
 /// From the place itself, whose own line is no row before it.
 constexpr double kFrom_m = 1.5;
 constexpr double kSameFloor_m = 3.0;
@@ -51,7 +51,7 @@ double length_m(const EdgeLine& line) {
 
 class Rows {
  public:
-  explicit Rows(const std::vector<EdgeLine>& lines) : lines_(lines), cells_(kCell_m) {
+  explicit Rows(const std::vector<EdgeLine>& lines) : lines_(lines), cells_(kRowCell_m) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       lengths_m_.push_back(length_m(lines[i]));
       add(i);
@@ -71,7 +71,7 @@ class Rows {
     const std::vector<EdgeLine::Vertex>& vertices = lines_[line].vertices;
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
       const Eigen::Vector3d along_m = vertices[i + 1].position_m - vertices[i].position_m;
-      const auto steps = static_cast<std::size_t>(std::ceil(along_m.head<2>().norm() / kStep_m));
+      const auto steps = static_cast<std::size_t>(std::ceil(along_m.head<2>().norm() / kRowStep_m));
       for (std::size_t k = 0; k < steps; ++k) {
         const double share = static_cast<double>(k) / static_cast<double>(steps);
         const Eigen::Vector3d place_m = vertices[i].position_m + share * along_m;
@@ -83,14 +83,14 @@ class Rows {
   }
 
   [[nodiscard]] std::optional<VoxelKey> cell(const Eigen::Vector2d& place_m) const {
-    return cells_.key_of({place_m.x(), place_m.y(), 0.5 * kCell_m});
+    return cells_.key_of({place_m.x(), place_m.y(), 0.5 * kRowCell_m});
   }
 
   /// The first other line on the way to the road decides.
   [[nodiscard]] bool is_behind(std::size_t line, std::size_t vertex) const {
     const Eigen::Vector3d& from_m = lines_[line].vertices[vertex].position_m;
     const Eigen::Vector2d way = to_road(lines_[line], vertex);
-    for (double ahead_m = kFrom_m; ahead_m < kLook_m; ahead_m += kStep_m) {
+    for (double ahead_m = kFrom_m; ahead_m < kLook_m; ahead_m += kRowStep_m) {
       const auto key = cell(from_m.head<2>() + ahead_m * way);
       const auto* facings = key ? cells_.find(*key) : nullptr;
       if (facings == nullptr) {

@@ -13,10 +13,10 @@ namespace {
 constexpr std::int32_t kCellVoxels = 4;
 /// How near to the middle of what was met a beam has to pass: half the side of a voxel at the default, which keeps
 /// poles and posts, whose middle a beam only passes this near by going through it.
-constexpr double kNear_m = 0.08;
+constexpr double kSameSurface_m = 0.08;
 /// How far it has to go on: cells are 0.4 m wide at the default, and things lean.
 constexpr double kBeyond_m = 0.6;
-/// Nearer, 1 deg is less than kNear_m; farther, cells are met by too few beams.
+/// Nearer, 1 deg is less than kSameSurface_m; farther, cells are met by too few beams.
 constexpr double kLeastLook_m = 1.5;
 constexpr double kMostLook_m = 50.0;
 constexpr std::uint16_t kLeastPasses = 2 * SurfaceTiles::kStride;
@@ -225,7 +225,7 @@ void SurfaceTiles::look_back() {
     const Eigen::Vector3d middle_m = place_m(found.cell, cell);
     for (const std::vector<BeamImage>& images : history_) {
       const bool seen_through = std::any_of(images.begin(), images.end(), [&](const BeamImage& image) {
-        return image.sees_through(middle_m, kNear_m, kBeyond_m);
+        return image.sees_through(middle_m, kSameSurface_m, kBeyond_m);
       });
       add_saturating(cell.passes, seen_through ? kStride : std::uint16_t{0});
     }
@@ -245,7 +245,7 @@ void SurfaceTiles::look_through(const SurfaceScan& scan) {
         continue;
       }
       const bool seen_through = std::any_of(scan.beams.begin(), scan.beams.end(), [&](const BeamImage& image) {
-        return image.sees_through(middle_m, kNear_m, kBeyond_m);
+        return image.sees_through(middle_m, kSameSurface_m, kBeyond_m);
       });
       if (seen_through) {
         add_saturating(place.value().passes, kStride);

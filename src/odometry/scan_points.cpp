@@ -3,24 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenery.hpp"
+
 namespace berm {
 namespace {
 
 /// A scan has no use for more: the map needs a few points per voxel, and gets them from many scans.
 constexpr std::size_t kCandidates = 40'000;
-
-bool is_scenery(Label label) {
-  return label == Label::drivable || label == Label::terrain || label == Label::obstacle;
-}
-
-/// 0 if the points have no times.
-double last_time_s(std::span<const float> times_s) {
-  float last_s = 0.0F;
-  for (const float time_s : times_s) {
-    last_s = std::max(last_s, time_s);  // false for NaN
-  }
-  return std::isfinite(last_s) ? static_cast<double>(last_s) : 0.0;
-}
 
 }  // namespace
 

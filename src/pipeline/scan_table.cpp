@@ -1,14 +1,13 @@
 #include "scan_table.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
+
 namespace berm {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 std::string field(const std::optional<double>& value) {
   return value ? fmt::format("{:.3f}", *value) : std::string();

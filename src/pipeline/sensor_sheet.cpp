@@ -1,17 +1,15 @@
 #include "berm/pipeline/sensor_sheet.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 
 namespace berm {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 class Adoption {
  public:

@@ -5,16 +5,13 @@
 #include <utility>
 
 #include "ticks.hpp"
+#include "whole.hpp"
 
 namespace berm {
 namespace {
 
 /// About this many pixels of a picture of 1600 lie between two ticks.
 constexpr double kTickDistance_px = 110.0;
-
-int whole(double value) {
-  return static_cast<int>(std::lround(value));
-}
 
 double share_of(const ChartAxis& axis, double value) {
   if (axis.logarithmic) {

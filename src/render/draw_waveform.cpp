@@ -12,8 +12,8 @@
 namespace berm {
 namespace {
 
-constexpr std::array kLabels = {Label::drivable, Label::terrain, Label::obstacle, Label::falling_snow,
-                                Label::unlabeled};
+constexpr std::array kWaveformLabels = {Label::drivable, Label::terrain, Label::obstacle, Label::falling_snow,
+                                        Label::unlabeled};
 
 /// One coordinate of the points, levelled.
 struct Track {
@@ -93,7 +93,7 @@ std::vector<LegendEntry> legend_of(const Waveform& waveform, const Stretch& stre
     steps += !waveform.steps.empty() && waveform.steps[i] != 0 ? 1U : 0U;
     counts[waveform.labels.empty() ? 0U : static_cast<std::size_t>(waveform.labels[i])] += 1;
   }
-  for (const Label label : kLabels) {
+  for (const Label label : kWaveformLabels) {
     const std::size_t count = counts[static_cast<std::size_t>(label)];
     if (count > 0 && !waveform.labels.empty()) {
       entries.push_back({label_name(label) + (" " + count_text(count)), label_color(label, options.background)});

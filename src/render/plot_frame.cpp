@@ -4,20 +4,17 @@
 #include <cmath>
 
 #include "ticks.hpp"
+#include "whole.hpp"
 
 namespace berm {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 /// About this many pixels of a picture of 1600 lie between two ticks.
-constexpr double kTickDistance_px = 150.0;
-
-int whole(double value) {
-  return static_cast<int>(std::lround(value));
-}
+constexpr double kFrameTickDistance_px = 150.0;
 
 int tick_count(double length_px, const FrameSizes& sizes) {
-  return std::max(whole(length_px / (kTickDistance_px * sizes.unit_px)), 2);
+  return std::max(whole(length_px / (kFrameTickDistance_px * sizes.unit_px)), 2);
 }
 
 /// One step for both axes where they share a scale, so that the grid is of squares.

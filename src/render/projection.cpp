@@ -7,13 +7,14 @@
 
 #include <Eigen/Geometry>
 
+#include "berm/core/angle.hpp"
+
 namespace berm {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979323846;
 /// Nearer to the eye nothing is drawn in perspective: a single point would hide the picture.
 constexpr double kNearest_m = 0.3;
 /// Without a range the picture leaves out this share of the points at each end: stray ones would make all else small.
@@ -99,8 +100,8 @@ std::optional<FlatPoint> Flattening::from_sensor(const Vector3d& point_m) const 
   if (range_m <= 0.0) {
     return std::nullopt;
   }
-  return FlatPoint{static_cast<float>(-kDegreesPerRadian * std::atan2(point_m.y(), point_m.x())),
-                   static_cast<float>(kDegreesPerRadian * std::atan2(point_m.z(), across_m)),
+  return FlatPoint{static_cast<float>(-kDegPerRad * std::atan2(point_m.y(), point_m.x())),
+                   static_cast<float>(kDegPerRad * std::atan2(point_m.z(), across_m)),
                    static_cast<float>(std::log(range_m))};
 }
 

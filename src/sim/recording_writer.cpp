@@ -4,12 +4,12 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/version.hpp"
 #include "berm/io/atomic_file.hpp"
 #include "berm/io/edges_file.hpp"
@@ -25,7 +25,6 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 /// How far around the way the true terrain is written, and its cells.
 constexpr double kTerrainMargin_m = 50.0;
 constexpr double kTerrainCell_m = 0.5;

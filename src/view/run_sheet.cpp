@@ -12,7 +12,7 @@
 namespace berm {
 namespace {
 
-using Json = nlohmann::json;
+using ReportJson = nlohmann::json;
 
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20U;
 
@@ -24,7 +24,7 @@ struct MountSettings {
 
 class SheetReader {
  public:
-  SheetReader(const Json& report, std::string file) : report_(report), file_(std::move(file)) {}
+  SheetReader(const ReportJson& report, std::string file) : report_(report), file_(std::move(file)) {}
 
   RunSheet read() const {
     RunSheet sheet;
@@ -35,7 +35,7 @@ class SheetReader {
     sheet.sensor = text("/machine/sensor/model");
     sheet.piste_method = text("/machine/methods/piste");
     MountSettings settings;
-    for (const auto& value : at("/machine/mount", &Json::is_object).items()) {
+    for (const auto& value : at("/machine/mount", &ReportJson::is_object).items()) {
       set_value(settings, "mount." + value.key() + "=" + value.value().dump(), file_);
     }
     sheet.mount = settings.mount;
@@ -44,8 +44,8 @@ class SheetReader {
 
  private:
   template <typename Check>
-  [[nodiscard]] const Json& at(const std::string& pointer, Check&& check) const {
-    const Json::json_pointer place(pointer);
+  [[nodiscard]] const ReportJson& at(const std::string& pointer, Check&& check) const {
+    const ReportJson::json_pointer place(pointer);
     if (!report_.contains(place) || !(report_[place].*check)()) {
       throw FileError(ErrorCode::malformed, file_, std::nullopt,
                       "expected a JSON object with " + pointer + ", as berm run writes it");
@@ -53,13 +53,13 @@ class SheetReader {
     return report_[place];
   }
   [[nodiscard]] std::string text(const std::string& pointer) const {
-    return at(pointer, &Json::is_string).get<std::string>();
+    return at(pointer, &ReportJson::is_string).get<std::string>();
   }
   [[nodiscard]] std::size_t number(const std::string& pointer) const {
-    return at(pointer, &Json::is_number_unsigned).get<std::size_t>();
+    return at(pointer, &ReportJson::is_number_unsigned).get<std::size_t>();
   }
 
-  const Json& report_;
+  const ReportJson& report_;
   std::string file_;
 };
 
@@ -68,7 +68,7 @@ class SheetReader {
 RunSheet read_run_sheet(const std::filesystem::path& file) {
   FileBuffer buffer;
   read_file(file, buffer, kMaxBytes);
-  const Json report = Json::parse(buffer.text(), nullptr, false);
+  const ReportJson report = ReportJson::parse(buffer.text(), nullptr, false);
   return SheetReader(report, file.string()).read();
 }
 

@@ -1,10 +1,10 @@
 #include "berm/view/shown_run.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <system_error>
 #include <utility>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "berm/io/file_reader.hpp"
 #include "berm/io/label_file.hpp"
@@ -46,7 +46,6 @@ Recording open_recording_of(const RunSheet& sheet, const fs::path& folder) {
 
 /// The mount as sequence.json has it; on the ground without one.
 Pose mount_of(const SensorSheet& sheet) {
-  constexpr double kDegPerRad = 180.0 / std::numbers::pi;
   MountConfig mount;
   mount.height_m = sheet.height_m.value_or(0.0);
   mount.pitch_deg = sheet.pitch_rad.value_or(0.0) * kDegPerRad;

@@ -5,13 +5,14 @@
 #include <numbers>
 #include <random>
 
+#include "berm/core/angle.hpp"
+
 namespace berm::test {
 namespace {
 
 constexpr double kSensorHeight_m = 4.0;
 constexpr int kColumns = 1800;
 constexpr int kRings = 16;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMaxRange_m = 100.0;
 constexpr double kTall_m = 0.3;
 
@@ -77,7 +78,7 @@ RoadScan scan_road(const RoadHeights& heights, double noise_m) {
   for (int column = 0; column < kColumns; ++column) {
     const double azimuth = std::numbers::pi - 2.0 * std::numbers::pi * (column + 0.5) / kColumns;
     for (int ring = 0; ring < kRings; ++ring) {
-      const double elevation = (2.0 * ring - 15.0) * kDegree;
+      const double elevation = (2.0 * ring - 15.0) * kRadPerDeg;
       const double hit = cast(heights, azimuth, elevation);
       const double noise = noise_m * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5);
       const double range = hit > 0.0 ? hit + 3.5 * noise : 0.0;

@@ -13,7 +13,7 @@
 namespace berm {
 namespace {
 
-std::vector<EdgePoint> find(const test::RoadScan& scan, const TraceEdgesConfig& config = {}) {
+std::vector<EdgePoint> find_edges(const test::RoadScan& scan, const TraceEdgesConfig& config = {}) {
   TraceEdges edges(config);
   const EdgeResult result = edges.process(scan.input());
   return {result.edges.begin(), result.edges.end()};
@@ -37,20 +37,35 @@ std::size_t count(const std::vector<EdgePoint>& found, EdgeSide side) {
 }
 
 TEST(TraceEdges, PutTheToeOfAHighBermToADecimetre) {
-  const std::vector<EdgePoint> found = find(test::scan_road(test::road_between_berms(double{kHalf_m}, 2.0)));
+  const std::vector<EdgePoint> found = find_edges(test::scan_road(test::road_between_berms(double{kHalf_m}, 2.0)));
   EXPECT_GE(count(found, EdgeSide::left), 6U);
   EXPECT_GE(count(found, EdgeSide::right), 6U);
   expect_on_straight_edges(found);
 }
 
 TEST(TraceEdges, PutTheToeOfALowBermToADecimetreAndMeasureIt) {
-  const std::vector<EdgePoint> found = find(test::scan_road(test::road_between_berms(double{kHalf_m}, 0.5)));
+  const std::vector<EdgePoint> found = find_edges(test::scan_road(test::road_between_berms(double{kHalf_m}, 0.5)));
   EXPECT_GE(count(found, EdgeSide::left), 4U);
   EXPECT_GE(count(found, EdgeSide::right), 4U);
   expect_on_straight_edges(found);
   for (const EdgePoint& edge : found) {
     EXPECT_NEAR(edge.height_m, 0.5F, 0.1F);
   }
+}
+
+TEST(TraceEdges, PutTheToeOfABermThatBendsTo4Centimetres) {
+  // Dumped heaps are cones: a trace that cuts one aside of its middle climbs ever less steeply.
+  const auto heights = [](double /*x*/, double y) {
+    const double over_m = std::clamp(std::abs(y) - double{kHalf_m}, 0.0, 2.4);
+    return 0.75 * over_m * (1.0 - over_m / 2.4);
+  };
+  std::vector<float> off_m;
+  for (const EdgePoint& edge : find_edges(test::scan_road(heights))) {
+    off_m.push_back(std::abs(edge.y_m) - kHalf_m);
+  }
+  ASSERT_GE(off_m.size(), 8U);
+  std::sort(off_m.begin(), off_m.end());
+  EXPECT_NEAR(off_m[off_m.size() / 2], 0.0F, 0.04F);
 }
 
 TEST(TraceEdges, SeeTheEdgeAcrossTracesWhereTheyRunAlongIt) {
@@ -61,9 +76,9 @@ TEST(TraceEdges, SeeTheEdgeAcrossTracesWhereTheyRunAlongIt) {
   };
   TraceEdgesConfig without;
   without.across = false;
-  const std::vector<EdgePoint> found = find(scan);
+  const std::vector<EdgePoint> found = find_edges(scan);
   EXPECT_GE(beside(found), 4);
-  EXPECT_EQ(beside(find(scan, without)), 0);
+  EXPECT_EQ(beside(find_edges(scan, without)), 0);
   for (const EdgePoint& edge : found) {
     EXPECT_NEAR(std::abs(edge.y_m), 18.0F, 0.3F) << edge.x_m;
     EXPECT_NEAR(edge.z_m, -4.0F, 0.2F);
@@ -72,14 +87,14 @@ TEST(TraceEdges, SeeTheEdgeAcrossTracesWhereTheyRunAlongIt) {
 
 TEST(TraceEdges, SayWhenEachWasSeen) {
   const test::RoadScan scan = test::scan_road(test::road_between_berms(double{kHalf_m}, 1.0));
-  for (const EdgePoint& edge : find(scan)) {
+  for (const EdgePoint& edge : find_edges(scan)) {
     const float turn = (3.14159265F - std::atan2(edge.y_m, edge.x_m)) / (2.0F * 3.14159265F);
     EXPECT_NEAR(edge.time_s, 0.1F * turn, 0.001F);
   }
 }
 
 TEST(TraceEdges, SeeNoneOnALevelPlainWithABlindSpot) {
-  EXPECT_TRUE(find(test::scan_road([](double, double) { return 0.0; }, 0.02)).empty());
+  EXPECT_TRUE(find_edges(test::scan_road([](double, double) { return 0.0; }, 0.02)).empty());
 }
 
 TEST(TraceEdges, SeeNoneInRutsPotholesAndPuddles) {
@@ -91,12 +106,12 @@ TEST(TraceEdges, SeeNoneInRutsPotholesAndPuddles) {
     const double hole = -0.2 * std::exp(-(std::pow(x - 16.0, 2.0) + std::pow(y + 3.0, 2.0)) / 0.3);
     return rut + hole;
   };
-  EXPECT_TRUE(find(test::scan_road(road)).empty());
+  EXPECT_TRUE(find_edges(test::scan_road(road)).empty());
 }
 
 TEST(TraceEdges, SeeNoneAtAParkedTruck) {
   const auto road = [](double x, double y) { return x > 18.0 && x < 27.0 && y > -2.0 && y < 3.0 ? 3.0 : 0.0; };
-  EXPECT_TRUE(find(test::scan_road(road)).empty());
+  EXPECT_TRUE(find_edges(test::scan_road(road)).empty());
 }
 
 TEST(TraceEdges, SeeTheBermsBesideAParkedTruckAndNotTheTruck) {
@@ -104,7 +119,7 @@ TEST(TraceEdges, SeeTheBermsBesideAParkedTruckAndNotTheTruck) {
   const auto road = [&berms](double x, double y) {
     return x > 14.0 && x < 23.0 && y > -3.0 && y < 2.0 ? 3.0 : berms(x, y);
   };
-  const std::vector<EdgePoint> found = find(test::scan_road(road));
+  const std::vector<EdgePoint> found = find_edges(test::scan_road(road));
   EXPECT_GE(count(found, EdgeSide::left), 4U);
   EXPECT_GE(count(found, EdgeSide::right), 2U);
   expect_on_straight_edges(found, 0.5F);
@@ -115,12 +130,12 @@ TEST(TraceEdges, SeeNoneAtAStoneOnTheRoad) {
   const auto road = [&berms](double x, double y) {
     return std::max(berms(x, y), 0.45 - 0.8 * std::hypot(x - 18.0, y - 1.0));
   };
-  expect_on_straight_edges(find(test::scan_road(road)));
+  expect_on_straight_edges(find_edges(test::scan_road(road)));
 }
 
 TEST(TraceEdges, CallAnEdgeWithoutABermADrop) {
   const auto dam = [](double, double y) { return std::max(-6.0, std::min(0.0, -0.9 * (std::abs(y) - kHalf_m))); };
-  const std::vector<EdgePoint> found = find(test::scan_road(dam));
+  const std::vector<EdgePoint> found = find_edges(test::scan_road(dam));
   EXPECT_GE(count(found, EdgeSide::left), 2U);
   EXPECT_GE(count(found, EdgeSide::right), 2U);
   for (const EdgePoint& edge : found) {
@@ -133,7 +148,7 @@ TEST(TraceEdges, CallAnEdgeWithoutABermADrop) {
 TEST(TraceEdges, KeepTheSidesOfABend) {
   constexpr float kRadius_m = 60.0F;
   const std::vector<EdgePoint> found =
-      find(test::scan_road(test::bend_between_berms(double{kRadius_m}, double{kHalf_m}, 1.0)));
+      find_edges(test::scan_road(test::bend_between_berms(double{kRadius_m}, double{kHalf_m}, 1.0)));
   EXPECT_GE(count(found, EdgeSide::left), 4U);
   EXPECT_GE(count(found, EdgeSide::right), 4U);
   for (const EdgePoint& edge : found) {
@@ -156,11 +171,11 @@ TEST(TraceEdges, CallPlainWhatLiesBetweenTheBerms) {
 
 TEST(TraceEdges, SeeTheSameInAMirror) {
   test::RoadScan scan = test::scan_road(test::road_between_berms(double{kHalf_m}, 1.0));
-  const std::vector<EdgePoint> found = find(scan);
+  const std::vector<EdgePoint> found = find_edges(scan);
   for (float& y : scan.channels.y) {
     y = -y;
   }
-  const std::vector<EdgePoint> mirrored = find(scan);
+  const std::vector<EdgePoint> mirrored = find_edges(scan);
   EXPECT_EQ(count(found, EdgeSide::left), count(mirrored, EdgeSide::right));
   EXPECT_EQ(count(found, EdgeSide::right), count(mirrored, EdgeSide::left));
 }

@@ -1,18 +1,17 @@
 #include "berm/eval/trajectory_metrics.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "berm/core/angle.hpp"
+
 namespace berm {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// Straight on along x, a pose every metre.
 std::vector<PosePair> straight_path(int poses) {

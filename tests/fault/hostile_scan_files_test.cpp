@@ -22,7 +22,7 @@ namespace {
 
 using test::expect_file_error;
 
-constexpr std::size_t kMebibyte = std::size_t{1} << 20U;
+constexpr std::size_t kScanMebibyte = std::size_t{1} << 20U;
 
 /// Memory that `body` took, in bytes.
 std::size_t peak_of(const std::function<void()>& body) {
@@ -41,7 +41,7 @@ void expect_bounded_read(const std::filesystem::path& path, const std::function<
     }
   });
   EXPECT_GE(peak, file_bytes);  // or nothing was counted
-  EXPECT_LE(peak, 4 * file_bytes + 64 * kMebibyte);
+  EXPECT_LE(peak, 4 * file_bytes + 64 * kScanMebibyte);
 }
 
 std::string repeated(const std::string& piece, std::size_t times) {
@@ -70,25 +70,25 @@ class HostilePcd : public testing::Test {
 };
 
 TEST_F(HostilePcd, HeaderOfNothingButFields) {
-  expect_bounded("FIELDS" + repeated(" x", 20 * kMebibyte) + "\n");
+  expect_bounded("FIELDS" + repeated(" x", 20 * kScanMebibyte) + "\n");
 }
 
 TEST_F(HostilePcd, HeaderOfNothingButLines) {
-  expect_bounded(repeated("\n", 40 * kMebibyte));
+  expect_bounded(repeated("\n", 40 * kScanMebibyte));
 }
 
 TEST_F(HostilePcd, OneEndlessLine) {
-  expect_bounded(std::string(40 * kMebibyte, 'x'));
+  expect_bounded(std::string(40 * kScanMebibyte, 'x'));
 }
 
 TEST_F(HostilePcd, SmallestPossibleAsciiPoints) {
-  constexpr std::size_t kPoints = 4 * kMebibyte;
+  constexpr std::size_t kPoints = 4 * kScanMebibyte;
   expect_bounded(header("x y z timestamp", "4 4 4 8", "F F F F", kPoints, "ascii") + repeated("1 1 1 1\n", kPoints));
 }
 
 TEST_F(HostilePcd, SmallestPossibleBinaryPoints) {
   // A point of 3 bytes in the file takes 12 in memory: with the file itself 5 times its size.
-  constexpr std::size_t kPoints = 24 * kMebibyte;
+  constexpr std::size_t kPoints = 24 * kScanMebibyte;
   expect_bounded(header("x y z", "1 1 1", "I I I", kPoints, "binary") + std::string(3 * kPoints, '\1'));
 }
 
@@ -106,7 +106,7 @@ TEST_F(HostilePcd, BombsOfEverySize) {
 TEST_F(HostilePcd, LargeOrdinaryFilesAreRead) {
   // The limit must not refuse what is merely large: 48 MiB of points, with and without compression.
   test::MadePcd pcd = test::made_xyz(0);
-  constexpr std::size_t kPoints = 3 * kMebibyte;
+  constexpr std::size_t kPoints = 3 * kScanMebibyte;
   pcd.points = kPoints;
   pcd.fields.push_back({.name = "intensity", .values = {}});
   const std::string body = repeated(std::string("\1\0\0\x40", 4), 4 * kPoints);
@@ -121,13 +121,13 @@ TEST_F(HostilePcd, LargeOrdinaryFilesAreRead) {
 
 TEST(HostileFiles, LargeHeaderlessFilesAreRead) {
   const test::TempFolder folder;
-  test::spill(folder / "scan.bin", std::string(32 * kMebibyte, '\0'));
+  test::spill(folder / "scan.bin", std::string(32 * kScanMebibyte, '\0'));
   ScanRecord record;
   expect_bounded_read(folder / "scan.bin", [&] { record = read_kitti_bin(folder / "scan.bin", IntensityScale::byte); });
-  EXPECT_EQ(record.channels.x.size(), 2 * kMebibyte);
+  EXPECT_EQ(record.channels.x.size(), 2 * kScanMebibyte);
   std::vector<std::uint32_t> labels;
   expect_bounded_read(folder / "scan.bin", [&] { labels = read_labels(folder / "scan.bin", std::nullopt); });
-  EXPECT_EQ(labels.size(), 8 * kMebibyte);
+  EXPECT_EQ(labels.size(), 8 * kScanMebibyte);
 }
 
 TEST(HostileFiles, WhatIsNoFileIsRefusedByEveryReader) {

@@ -10,8 +10,8 @@
 namespace berm {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNanKey = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfKey = std::numeric_limits<double>::infinity();
 const GridShape kShape{.origin_x_m = -10.0, .origin_y_m = 5.0, .cell_m = 0.5, .columns = 40, .rows = 20};
 
 TEST(Grid2D, FindsTheCellOfAPlace) {
@@ -29,7 +29,7 @@ TEST(Grid2D, FindsTheCellOfAPlace) {
 
 TEST(Grid2D, GivesNothingOutside) {
   Grid2D<double> grid(kShape);
-  for (const double odd : {kNan, kInf, -kInf, DBL_MAX, -DBL_MAX, static_cast<double>(FLT_MAX), 1e10, -1e10}) {
+  for (const double odd : {kNanKey, kInfKey, -kInfKey, DBL_MAX, -DBL_MAX, static_cast<double>(FLT_MAX), 1e10, -1e10}) {
     EXPECT_EQ(grid.index_of(odd, 10.0), std::nullopt) << odd;
     EXPECT_EQ(grid.index_of(0.0, odd), std::nullopt) << odd;
     EXPECT_EQ(grid.find_at(odd, odd), nullptr) << odd;
@@ -77,10 +77,10 @@ TEST(Grid2D, RefusesShapesThatMakeNoGrid) {
   EXPECT_TRUE(refused({.columns = 5, .rows = -1}));
   EXPECT_TRUE(refused({.cell_m = 0.0, .columns = 5, .rows = 5}));
   EXPECT_TRUE(refused({.cell_m = -1.0, .columns = 5, .rows = 5}));
-  EXPECT_TRUE(refused({.cell_m = kNan, .columns = 5, .rows = 5}));
-  EXPECT_TRUE(refused({.cell_m = kInf, .columns = 5, .rows = 5}));
-  EXPECT_TRUE(refused({.origin_x_m = kNan, .columns = 5, .rows = 5}));
-  EXPECT_TRUE(refused({.origin_y_m = kInf, .columns = 5, .rows = 5}));
+  EXPECT_TRUE(refused({.cell_m = kNanKey, .columns = 5, .rows = 5}));
+  EXPECT_TRUE(refused({.cell_m = kInfKey, .columns = 5, .rows = 5}));
+  EXPECT_TRUE(refused({.origin_x_m = kNanKey, .columns = 5, .rows = 5}));
+  EXPECT_TRUE(refused({.origin_y_m = kInfKey, .columns = 5, .rows = 5}));
   EXPECT_TRUE(refused({.columns = 1 << 30, .rows = 1 << 30})) << "2^60 cells";
   EXPECT_TRUE(refused({.columns = 1 << 28, .rows = 2}));
 }

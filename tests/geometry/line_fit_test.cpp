@@ -12,11 +12,11 @@ namespace berm {
 namespace {
 
 using Eigen::Vector3d;
-using testing::cloud_of;
-using testing::kHuge;
-using testing::kInf;
-using testing::kNan;
-using testing::Noise;
+using test::cloud_of;
+using test::kHuge;
+using test::kInf;
+using test::kNan;
+using test::Noise;
 
 const Vector3d kDirection = Vector3d(2.0, -1.0, 0.5).normalized();
 const Vector3d kPlace_m(3.0, 4.0, -1.0);

@@ -8,7 +8,7 @@
 
 #include "berm/core/point_cloud.hpp"
 
-namespace berm::testing {
+namespace berm::test {
 
 inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 inline constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -43,4 +43,4 @@ class Noise {
   std::mt19937 engine_;
 };
 
-}  // namespace berm::testing
+}  // namespace berm::test

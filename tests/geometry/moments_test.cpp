@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using testing::Noise;
+using test::Noise;
 
 struct Sample {
   Vector3d point_m;
@@ -107,10 +107,10 @@ TEST(Moments, MergeAsIfAddedTogether) {
 TEST(Moments, LeaveOutWhatIsNoNumber) {
   Moments moments;
   moments.add({1.0, 2.0, 3.0});
-  moments.add({testing::kNan, 0.0, 0.0});
-  moments.add({0.0, testing::kInf, 0.0});
-  moments.add({9.0, 9.0, 9.0}, testing::kNan);
-  moments.add({9.0, 9.0, 9.0}, testing::kInf);
+  moments.add({test::kNan, 0.0, 0.0});
+  moments.add({0.0, test::kInf, 0.0});
+  moments.add({9.0, 9.0, 9.0}, test::kNan);
+  moments.add({9.0, 9.0, 9.0}, test::kInf);
   moments.add({9.0, 9.0, 9.0}, 0.0);
   moments.add({9.0, 9.0, 9.0}, -1.0);
   EXPECT_EQ(moments.count(), 1U);
@@ -118,7 +118,7 @@ TEST(Moments, LeaveOutWhatIsNoNumber) {
 }
 
 TEST(Moments, OfCloudsTakeOneWeightAPoint) {
-  const PointCloud cloud = testing::cloud_of({{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}});
+  const PointCloud cloud = test::cloud_of({{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}});
   EXPECT_EQ(moments_of(cloud.view()).mean_m().x(), 2.0);
   EXPECT_EQ(moments_of(cloud.view(), std::vector<double>{3.0, 1.0}).mean_m().x(), 1.0);
   EXPECT_THROW((void)moments_of(cloud.view(), std::vector<double>{1.0}), Error);

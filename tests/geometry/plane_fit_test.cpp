@@ -14,13 +14,13 @@ namespace berm {
 namespace {
 
 using Eigen::Vector3d;
-using testing::cloud_of;
-using testing::kHuge;
-using testing::kInf;
-using testing::kNan;
-using testing::Noise;
+using test::cloud_of;
+using test::kHuge;
+using test::kInf;
+using test::kNan;
+using test::Noise;
 
-double angle_rad(const Vector3d& a, const Vector3d& b) {
+double normal_angle_rad(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
@@ -41,7 +41,7 @@ const Vector3d kSlopeNormal = Vector3d(-0.3, 0.2, 1.0).normalized();
 TEST(PlaneFit, FindsAPlaneAndItsQuality) {
   const auto fit = fit_plane(cloud_of(slope(2000, 0.02, 1)).view());
   ASSERT_TRUE(fit.has_value());
-  EXPECT_LT(angle_rad(fit->normal, kSlopeNormal), 5e-4);
+  EXPECT_LT(normal_angle_rad(fit->normal, kSlopeNormal), 5e-4);
   EXPECT_GT(fit->normal.z(), 0.0);
   EXPECT_NEAR(fit->rms_m, 0.02 * kSlopeNormal.z(), 1e-3);
   EXPECT_NEAR(fit->rms_m, std::sqrt(fit->eigenvalues_m2[0]), 1e-15);
@@ -70,7 +70,7 @@ TEST(PlaneFit, OfThreePointsPassesThroughThem) {
     for (const Vector3d& p : points_m) {
       RC_ASSERT(std::abs(fit->distance_m(p)) < 1e-7);
     }
-    RC_ASSERT(angle_rad(fit->normal, normal) < 1e-6);
+    RC_ASSERT(normal_angle_rad(fit->normal, normal) < 1e-6);
   }));
 }
 
@@ -119,9 +119,9 @@ TEST(PlaneFit, WeighsPoints) {
   const auto fit = fit_plane(cloud_of(points_m).view(), weights);
   ASSERT_TRUE(fit.has_value());
   EXPECT_EQ(fit->count, 100U);
-  EXPECT_LT(angle_rad(fit->normal, kSlopeNormal), 1e-6);
+  EXPECT_LT(normal_angle_rad(fit->normal, kSlopeNormal), 1e-6);
   weights.back() = 1.0;
-  EXPECT_GT(angle_rad(fit_plane(cloud_of(points_m).view(), weights)->normal, kSlopeNormal), 1e-3);
+  EXPECT_GT(normal_angle_rad(fit_plane(cloud_of(points_m).view(), weights)->normal, kSlopeNormal), 1e-3);
 }
 
 TEST(PlaneFit, GivesNothingWherePointsDetermineNone) {
@@ -161,7 +161,7 @@ TEST(PlaneFit, SurvivesBadAndHugePoints) {
   const auto fit = fit_plane(cloud_of(points_m).view());
   ASSERT_TRUE(fit.has_value());
   EXPECT_EQ(fit->count, 100U);
-  EXPECT_LT(angle_rad(fit->normal, kSlopeNormal), 1e-2);
+  EXPECT_LT(normal_angle_rad(fit->normal, kSlopeNormal), 1e-2);
 
   const auto huge = fit_plane(cloud_of({{kHuge, 0.0, 0.0}, {-kHuge, 1.0, 0.0}, {0.0, kHuge, kHuge}}).view());
   ASSERT_TRUE(huge.has_value());
@@ -185,8 +185,8 @@ TEST(PlaneFit, RobustlyIgnoresWhatStandsOnThePlane) {
   const auto robust = fit_plane_robust(cloud.view(), {});
   ASSERT_TRUE(plain.has_value());
   ASSERT_TRUE(robust.has_value());
-  EXPECT_GT(angle_rad(plain->normal, kSlopeNormal), 0.1);
-  EXPECT_LT(angle_rad(robust->normal, kSlopeNormal), 2e-3);
+  EXPECT_GT(normal_angle_rad(plain->normal, kSlopeNormal), 0.1);
+  EXPECT_LT(normal_angle_rad(robust->normal, kSlopeNormal), 2e-3);
   EXPECT_NEAR(robust->distance_m({0.0, 0.0, 1.0}), 0.0, 5e-3);
   EXPECT_LT(robust->rms_m, 0.05);
 }
@@ -196,7 +196,7 @@ TEST(PlaneFit, RobustEqualsPlainWithoutOutliers) {
   const auto plain = fit_plane(cloud.view());
   const auto robust = fit_plane_robust(cloud.view(), {});
   ASSERT_TRUE(robust.has_value());
-  EXPECT_LT(angle_rad(plain->normal, robust->normal), 1e-6);
+  EXPECT_LT(normal_angle_rad(plain->normal, robust->normal), 1e-6);
 }
 
 TEST(PlaneFit, RobustGivesTheSameTwiceAndNothingWhereThereIsNone) {
@@ -210,7 +210,7 @@ TEST(PlaneFit, RobustGivesTheSameTwiceAndNothingWhereThereIsNone) {
   points_m.emplace_back(kHuge, kHuge, kHuge);
   const auto fit = fit_plane_robust(cloud_of(points_m).view(), {.max_iterations = 300});
   ASSERT_TRUE(fit.has_value());
-  EXPECT_LT(angle_rad(fit->normal, kSlopeNormal), 5e-3) << "one absurd point must not decide";
+  EXPECT_LT(normal_angle_rad(fit->normal, kSlopeNormal), 5e-3) << "one absurd point must not decide";
 }
 
 TEST(PlaneFit, RobustChecksItsConfiguration) {

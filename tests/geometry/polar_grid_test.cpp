@@ -14,8 +14,8 @@ namespace berm {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNanPlace = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfPlace = std::numeric_limits<double>::infinity();
 
 bool refused(int sectors, int bins, double min_range_m, double max_range_m) {
   try {
@@ -64,7 +64,7 @@ TEST(PolarGrid, DoesNotLosePointsStraightBehind) {
 
 TEST(PolarGrid, GivesNothingForWhatHasNoCell) {
   const PolarGrid grid(80, 120, 3.4, 120.0);
-  for (const double odd : {kNan, kInf, -kInf, DBL_MAX, -DBL_MAX, static_cast<double>(FLT_MAX), 1e10}) {
+  for (const double odd : {kNanPlace, kInfPlace, -kInfPlace, DBL_MAX, -DBL_MAX, static_cast<double>(FLT_MAX), 1e10}) {
     EXPECT_EQ(grid.cell_of(odd, 1.0), std::nullopt) << odd;
     EXPECT_EQ(grid.cell_of(1.0, odd), std::nullopt) << odd;
     EXPECT_EQ(grid.bin_of(odd), std::nullopt) << odd;
@@ -99,15 +99,15 @@ TEST(PolarGrid, RefusesWhatMakesNoGrid) {
   EXPECT_TRUE(refused(1, 1, 1.0, 1.0));
   EXPECT_TRUE(refused(1, 1, 2.0, 1.0));
   EXPECT_TRUE(refused(1, 1, -1.0, 1.0));
-  EXPECT_TRUE(refused(1, 1, kNan, 1.0));
-  EXPECT_TRUE(refused(1, 4, 0.0, kNan));
-  EXPECT_TRUE(refused(1, 4, 0.0, kInf));
+  EXPECT_TRUE(refused(1, 1, kNanPlace, 1.0));
+  EXPECT_TRUE(refused(1, 4, 0.0, kNanPlace));
+  EXPECT_TRUE(refused(1, 4, 0.0, kInfPlace));
   EXPECT_TRUE(refused({}));
   EXPECT_TRUE(refused({1.0}));
   EXPECT_TRUE(refused({1.0, 1.0}));
   EXPECT_TRUE(refused({2.0, 1.0}));
-  EXPECT_TRUE(refused({1.0, kNan, 3.0}));
-  EXPECT_TRUE(refused({1.0, kInf}));
+  EXPECT_TRUE(refused({1.0, kNanPlace, 3.0}));
+  EXPECT_TRUE(refused({1.0, kInfPlace}));
   EXPECT_TRUE(refused(65536, 65536, 5.0, std::nextafter(5.0, 6.0))) << "bins too narrow to have a width";
 }
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
@@ -16,13 +15,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "berm/core/angle.hpp"
 #include "piste/mid70_scan.hpp"
 #include "support/made_scan.hpp"
 
 namespace berm {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kHeight_m = 2.3;
 
 /// A scan by a level sensor `kHeight_m` above the ground, what it is labelled, and its traces.

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "berm/core/angle.hpp"
 
 namespace berm::test {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// A parabola around the origin that goes on straight where it has become 30 deg steep, at 25 m.
 double dome_m(double distance_m) {

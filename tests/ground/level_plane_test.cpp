@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "ground/ground_cases.hpp"
 
 namespace berm {
@@ -17,7 +17,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kHeight_m = 2.0;
 
 struct Miss {

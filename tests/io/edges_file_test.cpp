@@ -15,18 +15,18 @@ namespace {
 
 using test::expect_file_error;
 
-std::vector<Edge> parse(const std::string& text) {
+std::vector<Edge> parse_edges(const std::string& text) {
   std::istringstream input(text);
   return read_edges(input, "edges.csv");
 }
 
-void expect_refused(const std::string& text, const std::string& part) {
+void expect_no_edges(const std::string& text, const std::string& part) {
   SCOPED_TRACE(text);
-  expect_file_error(ErrorCode::malformed, part, [&] { (void)parse(text); });
+  expect_file_error(ErrorCode::malformed, part, [&] { (void)parse_edges(text); });
 }
 
 TEST(EdgesFile, SidesAndBlankLinesEndAPolyline) {
-  const auto edges = parse(
+  const auto edges = parse_edges(
       "# truth\nside,x,y,z\nleft,0,1,2\nleft,1,1,2\nright,0,-1,2\nright, 1 ,-1,2\r\n\r\n\nright,9,9,9\nright,8,8,8");
   ASSERT_EQ(edges.size(), 3U);
   EXPECT_TRUE(edges[0].left);
@@ -34,7 +34,7 @@ TEST(EdgesFile, SidesAndBlankLinesEndAPolyline) {
   EXPECT_FALSE(edges[2].left);
   EXPECT_EQ(edges[1].vertices_m[1], Eigen::Vector3d(1.0, -1.0, 2.0));
   EXPECT_EQ(edges[2].vertices_m.size(), 2U);
-  EXPECT_TRUE(parse("side,x,y,z\n").empty());
+  EXPECT_TRUE(parse_edges("side,x,y,z\n").empty());
 }
 
 TEST(EdgesFile, SurvivesARoundTrip) {
@@ -67,16 +67,16 @@ TEST(EdgesFile, SurvivesARoundTrip) {
 }
 
 TEST(EdgesFile, RefusesWhatIsNoEdge) {
-  expect_refused("", "the file is empty");
-  expect_refused("left,0,0,0\n", "line 1: expected the header side,x,y,z, found 'left,0,0,0'");
-  expect_refused("line,side,x,y,z\n", "expected the header");
-  expect_refused("side,x,y,z\nmiddle,0,0,0\n", "line 2: expected left or right in column 1, found 'middle'");
+  expect_no_edges("", "the file is empty");
+  expect_no_edges("left,0,0,0\n", "line 1: expected the header side,x,y,z, found 'left,0,0,0'");
+  expect_no_edges("line,side,x,y,z\n", "expected the header");
+  expect_no_edges("side,x,y,z\nmiddle,0,0,0\n", "line 2: expected left or right in column 1, found 'middle'");
   for (const char* line :
        {"left,0,0", "left,0,0,0,0", "left,0,0,nan", "left,0,,0", "left,0,0,1e10", "left", "left,0,0,", "left,0 0,0"}) {
-    expect_refused("side,x,y,z\n" + std::string(line) + "\n", "line 2: expected three coordinates");
+    expect_no_edges("side,x,y,z\n" + std::string(line) + "\n", "line 2: expected three coordinates");
   }
-  expect_refused("side,x,y,z\nleft,0,0,0\nright,0,0,0\n", "line 3: the polyline that ends before has one vertex");
-  expect_refused("side,x,y,z\nleft,0,0,0\n", "has one vertex");
+  expect_no_edges("side,x,y,z\nleft,0,0,0\nright,0,0,0\n", "line 3: the polyline that ends before has one vertex");
+  expect_no_edges("side,x,y,z\nleft,0,0,0\n", "has one vertex");
   const test::TempFolder folder;
   const std::vector<Edge> one = {{true, {{0.0, 0.0, 0.0}}}};
   EXPECT_THROW(write_edges(folder / "edges.csv", one), Error);

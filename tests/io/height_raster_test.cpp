@@ -18,15 +18,15 @@ namespace {
 
 using test::expect_file_error;
 
-constexpr const char* kHeader = "ncols 3\nnrows 2\nxllcorner 100.5\nyllcorner -7\ncellsize 2\nNODATA_value -9999\n";
+constexpr const char* kGridHeader = "ncols 3\nnrows 2\nxllcorner 100.5\nyllcorner -7\ncellsize 2\nNODATA_value -9999\n";
 
-HeightRaster parse(const std::string& text) {
+HeightRaster parse_grid(const std::string& text) {
   return parse_ascii_grid(text, "model.asc");
 }
 
-void expect_refused(const std::string& text, const std::string& part, ErrorCode code = ErrorCode::malformed) {
+void expect_no_grid(const std::string& text, const std::string& part, ErrorCode code = ErrorCode::malformed) {
   SCOPED_TRACE(text.substr(0, 200));
-  expect_file_error(code, part, [&] { (void)parse(text); });
+  expect_file_error(code, part, [&] { (void)parse_grid(text); });
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -36,12 +36,12 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 const std::string& small_grid() {
-  static const std::string text = std::string(kHeader) + "1 2 3\n4 -9999 6.25\n";
+  static const std::string text = std::string(kGridHeader) + "1 2 3\n4 -9999 6.25\n";
   return text;
 }
 
 TEST(AsciiGrid, TheFirstLineIsTheNorth) {
-  const HeightRaster raster = parse(small_grid());
+  const HeightRaster raster = parse_grid(small_grid());
   EXPECT_EQ(raster.columns, 3U);
   EXPECT_EQ(raster.rows, 2U);
   EXPECT_EQ(raster.origin_x_m, 100.5);
@@ -55,76 +55,77 @@ TEST(AsciiGrid, TheFirstLineIsTheNorth) {
 
 TEST(AsciiGrid, CentersLieHalfACellFromTheCorner) {
   const HeightRaster raster =
-      parse(replaced(replaced(small_grid(), "xllcorner", "XLLCENTER"), "yllcorner", "YllCenter"));
+      parse_grid(replaced(replaced(small_grid(), "xllcorner", "XLLCENTER"), "yllcorner", "YllCenter"));
   EXPECT_EQ(raster.origin_x_m, 99.5);
   EXPECT_EQ(raster.origin_y_m, -8.0);
 }
 
 TEST(AsciiGrid, TakesWhatProgramsWrite) {
   // Any case, any order, CRLF, heights over any number of lines, no NODATA, no line end, dx and dy.
-  EXPECT_EQ(parse("NROWS 2\r\nNCOLS 2\r\nYLLCORNER 0\r\nXLLCORNER 0\r\nCELLSIZE 1\r\n1 2 3\r\n4").at(1, 0), 4.0F);
-  EXPECT_EQ(parse("ncols 2 nrows 2 xllcorner 0 yllcorner 0 dx 5 dy 5\n1\n2\n3\n4\n\n").cell_m, 5.0);
+  EXPECT_EQ(parse_grid("NROWS 2\r\nNCOLS 2\r\nYLLCORNER 0\r\nXLLCORNER 0\r\nCELLSIZE 1\r\n1 2 3\r\n4").at(1, 0), 4.0F);
+  EXPECT_EQ(parse_grid("ncols 2 nrows 2 xllcorner 0 yllcorner 0 dx 5 dy 5\n1\n2\n3\n4\n\n").cell_m, 5.0);
   EXPECT_TRUE(std::isnan(
-      parse("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nnodata_value nan\n1 NaN\n3 4").at(1, 1)));
+      parse_grid("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nnodata_value nan\n1 NaN\n3 4").at(1, 1)));
   // NODATA of GDAL for floats, rounded in another way than in the header.
-  EXPECT_TRUE(std::isnan(parse("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
-                               "NODATA_value -3.4028234663852886e+38\n-3.402823e+38 2\n3 4\n")
+  EXPECT_TRUE(std::isnan(parse_grid("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                                    "NODATA_value -3.4028234663852886e+38\n-3.402823e+38 2\n3 4\n")
                              .at(0, 1)));
 }
 
 TEST(AsciiGrid, CountsThatLieAreRefusedBeforeMemoryIsTaken) {
-  expect_refused(replaced(small_grid(), "ncols 3", "ncols 4"), "the file ends after 6 of 8 heights",
+  expect_no_grid(replaced(small_grid(), "ncols 3", "ncols 4"), "the file ends after 6 of 8 heights",
                  ErrorCode::truncated);
-  expect_refused(replaced(small_grid(), "ncols 3", "ncols 2"), "'-9999' follows the last of 4 heights",
+  expect_no_grid(replaced(small_grid(), "ncols 3", "ncols 2"), "'-9999' follows the last of 4 heights",
                  ErrorCode::malformed);
-  expect_refused(replaced(small_grid(), "nrows 2", "nrows 20000000"), "take at least 119999999 bytes",
+  expect_no_grid(replaced(small_grid(), "nrows 2", "nrows 20000000"), "take at least 119999999 bytes",
                  ErrorCode::truncated);
-  expect_refused(replaced(small_grid(), "nrows 2", "nrows 1000000000"), "3 x 1000000000 cells are more than",
+  expect_no_grid(replaced(small_grid(), "nrows 2", "nrows 1000000000"), "3 x 1000000000 cells are more than",
                  ErrorCode::unsupported);
-  expect_refused(replaced(small_grid(), "nrows 2", "nrows 18446744073709551615"), "are more than",
+  expect_no_grid(replaced(small_grid(), "nrows 2", "nrows 18446744073709551615"), "are more than",
                  ErrorCode::unsupported);
-  expect_refused(replaced(small_grid(), "nrows 2", "nrows 18446744073709551616"), "line 2: expected the number");
+  expect_no_grid(replaced(small_grid(), "nrows 2", "nrows 18446744073709551616"), "line 2: expected the number");
   for (const char* count : {"0", "-1", "2.5", "1e3", "x", ""}) {
-    expect_refused(replaced(small_grid(), "nrows 2", std::string("nrows ") + count), "model.asc");
+    expect_no_grid(replaced(small_grid(), "nrows 2", std::string("nrows ") + count), "model.asc");
   }
-  expect_refused("ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n5\n", "1 x 1 cells are no terrain");
+  expect_no_grid("ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n5\n", "1 x 1 cells are no terrain");
 }
 
 TEST(AsciiGrid, OnlyNodataIsRefused) {
-  expect_refused("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -1\n-1 -1\n-1 -1\n",
+  expect_no_grid("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -1\n-1 -1\n-1 -1\n",
                  "holds no height: all of its 2 x 2 cells are NODATA");
 }
 
 TEST(AsciiGrid, WhatIsNoHeightIsRefusedWithItsPlace) {
-  expect_refused(replaced(small_grid(), "6.25", "nan"),
+  expect_no_grid(replaced(small_grid(), "6.25", "nan"),
                  "at byte 89: line 8: 'nan' in row 2, column 3 is no height in metres");
   for (const char* word : {"inf", "-inf", "1e6", "-1e30", "1e999", "1,5", "0x10", "4..5", "--4", "\xff"}) {
-    expect_refused(replaced(small_grid(), "6.25", word), "in row 2, column 3 is no height");
+    expect_no_grid(replaced(small_grid(), "6.25", word), "in row 2, column 3 is no height");
   }
-  expect_refused(small_grid() + "7\n", "line 9: '7' follows the last");
-  expect_refused(std::string(kHeader) + "1 2 3\n444 555", "the file ends after 5 of 6 heights", ErrorCode::truncated);
+  expect_no_grid(small_grid() + "7\n", "line 9: '7' follows the last");
+  expect_no_grid(std::string(kGridHeader) + "1 2 3\n444 555", "the file ends after 5 of 6 heights",
+                 ErrorCode::truncated);
 }
 
 TEST(AsciiGrid, BrokenHeadersAreRefused) {
-  expect_refused("", "the header ends here without 'ncols'");
-  expect_refused("hello world", "'hello' is no key of an ESRI ASCII grid");
-  expect_refused(replaced(small_grid(), "cellsize 2\n", ""), "without 'cellsize'");
-  expect_refused(replaced(small_grid(), "xllcorner 100.5\n", ""), "without 'xllcorner'");
-  expect_refused(replaced(small_grid(), "cellsize 2", "cellsize 2\ncellsize 2"), "line 6: 'cellsize' is given twice");
-  expect_refused(replaced(small_grid(), "xllcorner 100.5", "xllcorner 1\nxllcenter 1"), "given twice");
-  expect_refused(replaced(small_grid(), "xllcorner 100.5", "xllcorner 1e10"), "expected a number of metres");
-  expect_refused(replaced(small_grid(), "NODATA_value -9999", "NODATA_value x"), "line 6: expected a number after");
+  expect_no_grid("", "the header ends here without 'ncols'");
+  expect_no_grid("hello world", "'hello' is no key of an ESRI ASCII grid");
+  expect_no_grid(replaced(small_grid(), "cellsize 2\n", ""), "without 'cellsize'");
+  expect_no_grid(replaced(small_grid(), "xllcorner 100.5\n", ""), "without 'xllcorner'");
+  expect_no_grid(replaced(small_grid(), "cellsize 2", "cellsize 2\ncellsize 2"), "line 6: 'cellsize' is given twice");
+  expect_no_grid(replaced(small_grid(), "xllcorner 100.5", "xllcorner 1\nxllcenter 1"), "given twice");
+  expect_no_grid(replaced(small_grid(), "xllcorner 100.5", "xllcorner 1e10"), "expected a number of metres");
+  expect_no_grid(replaced(small_grid(), "NODATA_value -9999", "NODATA_value x"), "line 6: expected a number after");
   for (const char* cell : {"0", "-1", "0.0002777", "1e6"}) {
-    expect_refused(replaced(small_grid(), "cellsize 2", std::string("cellsize ") + cell), "are no metres",
+    expect_no_grid(replaced(small_grid(), "cellsize 2", std::string("cellsize ") + cell), "are no metres",
                    ErrorCode::unsupported);
   }
-  expect_refused(replaced(small_grid(), "cellsize 2", "dx 2\ndy 3"), "not square", ErrorCode::unsupported);
+  expect_no_grid(replaced(small_grid(), "cellsize 2", "dx 2\ndy 3"), "not square", ErrorCode::unsupported);
 }
 
 TEST(AsciiGrid, CutAtAnyByteItIsAModelOrOneError) {
   for (std::size_t length = 0; length < small_grid().size() - 2; ++length) {
     try {
-      const HeightRaster raster = parse(small_grid().substr(0, length));
+      const HeightRaster raster = parse_grid(small_grid().substr(0, length));
       // The last number may have lost digits, which nobody can see.
       EXPECT_EQ(raster.heights_m.size(), 6U) << length;
     } catch (const FileError& error) {

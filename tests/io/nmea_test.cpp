@@ -22,8 +22,8 @@ using test::sentence;
 
 constexpr Stamp kSecond = 1'000'000'000;
 
-PoseLog parse(const std::string& text, const PoseLogConfig& config = {}, const GnssMountConfig& mount = {},
-              const DatumConfig& datum = {}) {
+PoseLog parse_log(const std::string& text, const PoseLogConfig& config = {}, const GnssMountConfig& mount = {},
+                  const DatumConfig& datum = {}) {
   return parse_nmea(text, "log.nmea", config, mount, datum);
 }
 
@@ -35,7 +35,7 @@ TEST(Nmea, ReadsTheSentencesOfTheBooks) {
   // 23 March 1994, 48 deg 07.038' N, 11 deg 31.000' E, 545.4 m above the geoid, which is 46.9 m above the ellipsoid.
   PoseLogConfig any;
   any.fix = "any";
-  const PoseLog log = parse(
+  const PoseLog log = parse_log(
       "$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n"
       "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n"
       "$GPHDT,274.07,T*03\r\n",
@@ -57,8 +57,8 @@ TEST(Nmea, ReadsTheSentencesOfTheBooks) {
 
 TEST(Nmea, AttitudeIsThatOfItsOwnTime) {
   const PoseLog log =
-      parse(sentence("PASHR,120000.000,010.00,T,+02.00,+04.00,0.0,0.1,0.1,0.2,2,1") + gga("120000.50", "0000000") +
-            sentence("PASHR,120001.000,350.00,T,+02.00,+04.00,0.0,0.1,0.1,0.2,2,1") + hdt("90.0"));
+      parse_log(sentence("PASHR,120000.000,010.00,T,+02.00,+04.00,0.0,0.1,0.1,0.2,2,1") + gga("120000.50", "0000000") +
+                sentence("PASHR,120001.000,350.00,T,+02.00,+04.00,0.0,0.1,0.1,0.2,2,1") + hdt("90.0"));
   ASSERT_EQ(log.trajectory.size(), 1U);
   // Half way is north, nose up: PASHR's pitch is positive with the bow up, its roll with the right side down.
   const Eigen::Matrix3d R_world_base = log.trajectory.poses()[0].T_world_base.rotation().toRotationMatrix();
@@ -80,33 +80,34 @@ TEST(Nmea, MidnightAndDates) {
     }
     return result;
   };
-  EXPECT_EQ(stamps(parse(text)), (std::vector<Stamp>{kNewYear2024 - kSecond, kNewYear2024, kNewYear2024 + kSecond}));
+  EXPECT_EQ(stamps(parse_log(text)),
+            (std::vector<Stamp>{kNewYear2024 - kSecond, kNewYear2024, kNewYear2024 + kSecond}));
   // A date that comes late holds for what was before it too.
   text = gga("235959.00", "0000000") + hdt("0.0") + gga("000000.00", "0000100") + hdt("0.0") +
          sentence("GNZDA,000000.00,01,01,2024,00,00");
-  EXPECT_EQ(stamps(parse(text)), (std::vector<Stamp>{kNewYear2024 - kSecond, kNewYear2024}));
+  EXPECT_EQ(stamps(parse_log(text)), (std::vector<Stamp>{kNewYear2024 - kSecond, kNewYear2024}));
   // A receiver that has no fix yet makes up a date.
   text = sentence("GNRMC,235959.00,V,,,,,,,060180,,") + gga("235959.00", "0000000") + hdt("0.0") +
          gga("000000.00", "0000100") + hdt("0.0");
-  const PoseLog undated = parse(text);
+  const PoseLog undated = parse_log(text);
   EXPECT_EQ(stamps(undated), (std::vector<Stamp>{86'399 * kSecond, 86'400 * kSecond}));
   ASSERT_FALSE(undated.notes.empty());
   EXPECT_NE(undated.notes[0].find("since midnight"), std::string::npos);
   PoseLogConfig shifted;
   shifted.time_offset_s = -86'399.0;
-  EXPECT_EQ(stamps(parse(text, shifted)), (std::vector<Stamp>{0, kSecond}));
+  EXPECT_EQ(stamps(parse_log(text, shifted)), (std::vector<Stamp>{0, kSecond}));
 }
 
 TEST(Nmea, BadSentencesAreCountedAndTheRestIsRead) {
   std::string spoilt = gga("120001.00", "0000100");
   spoilt[20] = spoilt[20] == '1' ? '2' : '1';
   const std::string cut = gga("120002.00", "0000200").substr(0, 30);
-  const PoseLog log = parse(std::string("\xB5\x62\x00\x01 binary $ and * \n", 22) + "12:00:00.123 " +
-                            gga("120000.00", "0000000") + hdt("90.0") + spoilt + "$GNGGA,120002.00,4800.00\r\n" +
-                            gga("256161.00", "0000300") + gga("120003.00", "0000300", 0) +
-                            sentence("GNGGA,120003.50,,,,,0,,,,,,,,") + gga("120004.00", "0000400", 1) + cut +
-                            gga("120005.00", "0000500") + hdt("90.0") + gga("120004.50", "0000450") + hdt("90.0") +
-                            sentence("GNHDT,361.0,T") + sentence("GNGSV,1,1,00") + "$GNHDT,90.0,T");
+  const PoseLog log = parse_log(std::string("\xB5\x62\x00\x01 binary $ and * \n", 22) + "12:00:00.123 " +
+                                gga("120000.00", "0000000") + hdt("90.0") + spoilt + "$GNGGA,120002.00,4800.00\r\n" +
+                                gga("256161.00", "0000300") + gga("120003.00", "0000300", 0) +
+                                sentence("GNGGA,120003.50,,,,,0,,,,,,,,") + gga("120004.00", "0000400", 1) + cut +
+                                gga("120005.00", "0000500") + hdt("90.0") + gga("120004.50", "0000450") + hdt("90.0") +
+                                sentence("GNHDT,361.0,T") + sentence("GNGSV,1,1,00") + "$GNHDT,90.0,T");
   EXPECT_EQ(log.counts.bad_checksum, 3U);
   EXPECT_EQ(log.counts.malformed, 2U);
   EXPECT_EQ(log.counts.no_fix, 2U);
@@ -125,7 +126,7 @@ TEST(Nmea, QualityDecidesWhatIsUsed) {
   const auto used = [&](const std::string& fix) {
     PoseLogConfig config;
     config.fix = fix;
-    return parse(text, config).trajectory.size();
+    return parse_log(text, config).trajectory.size();
   };
   EXPECT_EQ(used("any"), 9U);
   EXPECT_EQ(used("differential"), 4U);
@@ -133,10 +134,10 @@ TEST(Nmea, QualityDecidesWhatIsUsed) {
   EXPECT_EQ(used("rtk_fixed"), 1U);
   test::expect_file_error(ErrorCode::malformed,
                           "1 poorer than poses.fix: rtk, 0 without an attitude; if such positions",
-                          [] { (void)parse(gga("120000.00", "0000000", 1)); });
+                          [] { (void)parse_log(gga("120000.00", "0000000", 1)); });
   test::expect_file_error(ErrorCode::malformed, "0 poorer than poses.fix: rtk, 1 without an attitude; a log needs",
-                          [] { (void)parse(gga("120000.00", "0000000")); });
-  test::expect_file_error(ErrorCode::malformed, "log.nmea", [] { (void)parse(""); });
+                          [] { (void)parse_log(gga("120000.00", "0000000")); });
+  test::expect_file_error(ErrorCode::malformed, "log.nmea", [] { (void)parse_log(""); });
 }
 
 TEST(Nmea, GeoidSeparationIsAddedOrTaken) {
@@ -144,11 +145,11 @@ TEST(Nmea, GeoidSeparationIsAddedOrTaken) {
       sentence("GNGGA,120000.00,4800.0000000,N,01130.0000000,E,4,14,0.7,545.400,M,,,1.0,0001") + hdt("0.0");
   PoseLogConfig config;
   config.geoid_separation_m = -20.0;
-  const PoseLog log = parse(without, config);
+  const PoseLog log = parse_log(without, config);
   EXPECT_NEAR(log.datum->h_m, 525.4, 1e-9);
   EXPECT_NE(log.notes.at(1).find("-20 m"), std::string::npos);
   // Said once, it holds.
-  const PoseLog later = parse(gga("115959.00", "0000000") + hdt("0.0") + without, config);
+  const PoseLog later = parse_log(gga("115959.00", "0000000") + hdt("0.0") + without, config);
   EXPECT_NEAR(later.trajectory.poses()[1].T_world_base.translation_m().z(), 0.0, 1e-6);
 }
 
@@ -164,7 +165,7 @@ TEST(Nmea, LeverArmAndBoresightAreTakenOff) {
   datum.lon_deg = 11.5;
   datum.h_m = 592.3;
   // The antennas look north, so the machine looks east.
-  const PoseLog log = parse(gga("120000.00", "0000000") + hdt("0.0"), {}, mount, datum);
+  const PoseLog log = parse_log(gga("120000.00", "0000000") + hdt("0.0"), {}, mount, datum);
   const StampedPose& pose = log.trajectory.poses()[0];
   EXPECT_NEAR(forward(pose).x(), 1.0, 1e-9);
   EXPECT_LT((pose.T_world_base.translation_m() - Eigen::Vector3d(-2.0, 1.0, -5.0)).norm(), 1e-6);
@@ -174,7 +175,7 @@ TEST(Nmea, LeverArmAndBoresightAreTakenOff) {
 TEST(Nmea, AttitudeThatIsTooOldIsNone) {
   const std::string text = gga("120000.00", "0000000") + hdt("0.0") + gga("120001.00", "0000000") +
                            gga("120004.00", "0000000") + hdt("0.0") + gga("120005.00", "0000000");
-  const PoseLog log = parse(text);
+  const PoseLog log = parse_log(text);
   EXPECT_EQ(log.trajectory.size(), 2U);
   EXPECT_EQ(log.counts.no_attitude, 2U);
 }
@@ -230,7 +231,7 @@ TEST(Nmea, GivesBackTheDriveThatWasLogged) {
       truth.append(i * 100'000'000LL,
                    Pose::from_yaw_pitch_roll(0.02 * s, 0.1 * std::sin(s), -0.08, {5000.0 + s, 3000.0 - s, -0.1 * s}));
     }
-    const PoseLog log = parse(logged(truth, LocalFrame(place), mount), {}, mount, datum);
+    const PoseLog log = parse_log(logged(truth, LocalFrame(place), mount), {}, mount, datum);
     ASSERT_EQ(log.trajectory.size(), truth.size());
     for (std::size_t i = 0; i < truth.size(); ++i) {
       const Vector6d error = (truth.poses()[i].T_world_base.inverse() * log.trajectory.poses()[i].T_world_base).log();
@@ -249,7 +250,7 @@ TEST(Nmea, AnyDamageIsCountedOrOneError) {
     text[*rc::gen::inRange<std::size_t>(0, text.size())] = static_cast<char>(byte);
     text.resize(*rc::gen::inRange<std::size_t>(0, text.size()));
     try {
-      const PoseLog log = parse(text);
+      const PoseLog log = parse_log(text);
       RC_ASSERT(log.trajectory.size() <= 2U);
     } catch (const FileError&) {
     }

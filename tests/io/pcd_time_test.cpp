@@ -24,7 +24,7 @@ ScanRecord with_time(const std::string& name, char type, std::size_t size, std::
   return parse_pcd(test::as_bytes(pcd.encoded(encoding)), "scan.pcd");
 }
 
-bool has_note(const ScanRecord& record, const std::string& part) {
+bool has_time_note(const ScanRecord& record, const std::string& part) {
   return std::any_of(record.notes.begin(), record.notes.end(),
                      [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }
@@ -41,7 +41,7 @@ TEST(PcdTime, RelativeNamesOfDrivers) {
     const ScanRecord record = with_time(name, 'U', 4, {0, 50'000'000, 99'999'999});
     expect_times(record, {0.0F, 0.05F, 0.099999999F});
     EXPECT_FALSE(record.start_ns);
-    EXPECT_TRUE(has_note(record, std::string("field ") + name + " (U4), taken as ns"));
+    EXPECT_TRUE(has_time_note(record, std::string("field ") + name + " (U4), taken as ns"));
   }
   expect_times(with_time("time_stamp", 'U', 4, {0, 50'000'000}), {0.0F, 0.05F});
   expect_times(with_time("time", 'F', 4, {0.0L, 0.05L}), {0.0F, 0.05F});
@@ -66,11 +66,11 @@ TEST(PcdTime, LivoxWritesNanosecondsAsDouble) {
   const ScanRecord record = with_time("timestamp", 'F', 8, {1.6352364892e18L, 1.6352364893e18L});
   EXPECT_EQ(record.start_ns, 1'635'236'489'200'000'000);
   expect_times(record, {0.0F, 0.1F});
-  EXPECT_TRUE(has_note(record, "taken as ns"));
+  EXPECT_TRUE(has_time_note(record, "taken as ns"));
   // Microseconds are neither.
   const ScanRecord neither = with_time("timestamp", 'F', 8, {1.6352364892e15L, 1.6352364892001e15L});
   EXPECT_TRUE(neither.channels.time.empty());
-  EXPECT_TRUE(has_note(neither, "no point carries a usable time"));
+  EXPECT_TRUE(has_time_note(neither, "no point carries a usable time"));
 }
 
 TEST(PcdTime, AbsoluteTimeWinsOverRelative) {
@@ -102,16 +102,16 @@ TEST(PcdTime, UnitThatNobodyAgreedOnIsLeftOut) {
        {std::pair("time", 'U'), std::pair("timestamp", 'U'), std::pair("offset_time", 'F')}) {
     const ScanRecord record = with_time(name, type, 4, {0, 1});
     EXPECT_TRUE(record.channels.time.empty());
-    EXPECT_TRUE(has_note(record, std::string("field ") + name)) << name;
-    EXPECT_TRUE(has_note(record, "its unit is not known")) << name;
+    EXPECT_TRUE(has_time_note(record, std::string("field ") + name)) << name;
+    EXPECT_TRUE(has_time_note(record, "its unit is not known")) << name;
   }
 }
 
 TEST(PcdTime, BackwardsIsKeptAndNoted) {
   const ScanRecord record = with_time("time", 'F', 4, {0.0L, 0.5L, 0.25L, 0.75L, 0.5L});
   expect_times(record, {0.0F, 0.5F, 0.25F, 0.75F, 0.5F});
-  EXPECT_TRUE(has_note(record, "run backwards at 2 points"));
-  EXPECT_FALSE(has_note(with_time("time", 'F', 4, {0.0L, 0.0L, 0.25L}), "backwards"));
+  EXPECT_TRUE(has_time_note(record, "run backwards at 2 points"));
+  EXPECT_FALSE(has_time_note(with_time("time", 'F', 4, {0.0L, 0.0L, 0.25L}), "backwards"));
 }
 
 TEST(PcdTime, PointsWithoutTimeAreNan) {
@@ -121,7 +121,7 @@ TEST(PcdTime, PointsWithoutTimeAreNan) {
   EXPECT_TRUE(std::isnan(relative.channels.time.at(1)));
   EXPECT_TRUE(std::isnan(relative.channels.time.at(2)));
   EXPECT_FLOAT_EQ(relative.channels.time.at(3), 0.5F);
-  EXPECT_TRUE(has_note(relative, "2 points carry no usable time"));
+  EXPECT_TRUE(has_time_note(relative, "2 points carry no usable time"));
   // A beam without a return that was filled with zeros.
   const ScanRecord absolute = with_time("timestamp", 'F', 8, {1.6e9L, 0.0L, nan, 1.6e9L + 0.5L});
   EXPECT_EQ(absolute.start_ns, 1'600'000'000'000'000'000);

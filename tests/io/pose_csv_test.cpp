@@ -12,18 +12,18 @@
 namespace berm {
 namespace {
 
-PoseLog parse(const std::string& text, const PoseLogConfig& config = {}, const DatumConfig& datum = {}) {
+PoseLog parse_poses(const std::string& text, const PoseLogConfig& config = {}, const DatumConfig& datum = {}) {
   std::istringstream input(text);
   return read_pose_csv(input, "poses.csv", config, {}, datum);
 }
 
-void expect_refused(const std::string& text, const std::string& part) {
+void expect_no_poses(const std::string& text, const std::string& part) {
   SCOPED_TRACE(text);
-  test::expect_file_error(ErrorCode::malformed, part, [&] { (void)parse(text); });
+  test::expect_file_error(ErrorCode::malformed, part, [&] { (void)parse_poses(text); });
 }
 
 TEST(PoseCsv, UtmCoordinatesAndNanosecondsKeepEveryDigit) {
-  const PoseLog log = parse(
+  const PoseLog log = parse_poses(
       "t_ns,x,y,z,qx,qy,qz,qw\n"
       "1700000000123456789,691607.8125001,5334760.4375002,520.25,0,0,0,1\n"
       "1700000000123456790,691607.8125011,5334760.4375012,520.25,0,0,0.7071067811865476,0.7071067811865476\n");
@@ -42,7 +42,7 @@ TEST(PoseCsv, AnglesInDegreesRadiansAndFromNorth) {
                            "roll_rad,pitch_rad,yaw_rad,t,x,y,z\n0,0.17453292519943295,0.5235987755982988,0.5,1,2,3\n",
                            "\xEF\xBB\xBFt, x ,y,z,heading_deg,pitch_deg,roll_deg\r\n0.5, 1 ,2,3,60,10,0\r\n"}) {
     SCOPED_TRACE(text);
-    const PoseLog log = parse(text);
+    const PoseLog log = parse_poses(text);
     ASSERT_EQ(log.trajectory.size(), 1U);
     const Pose& pose = log.trajectory.poses()[0].T_world_base;
     EXPECT_EQ(pose.translation_m(), Eigen::Vector3d(1, 2, 3));
@@ -55,7 +55,7 @@ TEST(PoseCsv, AnglesInDegreesRadiansAndFromNorth) {
 }
 
 TEST(PoseCsv, GeographicPositionsMakeALocalWorld) {
-  const PoseLog log = parse(
+  const PoseLog log = parse_poses(
       "t,lat_deg,lon_deg,h_m,yaw_deg,satellites\n0,48,11.5,592,0,12\n1,48.001,11.5,593,0,12\n2,48,11.6,592,0,12\n");
   ASSERT_TRUE(log.datum);
   EXPECT_EQ(log.datum->h_m, 592.0);
@@ -72,7 +72,7 @@ TEST(PoseCsv, GeographicPositionsMakeALocalWorld) {
 }
 
 TEST(PoseCsv, RowsWithoutAFixAreCounted) {
-  const PoseLog log = parse(
+  const PoseLog log = parse_poses(
       "t,x,y,z,qx,qy,qz,qw,quality\n1,0,0,0,0,0,0,1,4\n2,nan,0,0,0,0,0,1,4\n3,0,0,0,NaN,0,0,1,4\n4,,,,,,,,\n"
       "5,0,0,0,0,0,0,1,0\n6,0,0,0,0,0,0,1,1\n7,0,0,0,0,0,-Inf,1,4\n8,0,0,0,0,0,0,1,5\n");
   EXPECT_EQ(log.counts.records, 8U);
@@ -84,31 +84,31 @@ TEST(PoseCsv, RowsWithoutAFixAreCounted) {
 }
 
 TEST(PoseCsv, RefusesWhatItWouldHaveToGuess) {
-  expect_refused("", "the file is empty");
-  expect_refused("x,y,z,yaw_deg\n", "line 1: expected one column of time");
-  expect_refused("t,t_ns,x,y,z,yaw_deg\n", "one column of time");
-  expect_refused("t,x,y,yaw_deg\n", "all of x, y, z");
-  expect_refused("t,yaw_deg\n", "expected the position either");
-  expect_refused("t,x,y,z,lat_deg,lon_deg,h_m,yaw_deg\n", "expected the position either");
-  expect_refused("t,x,y,z\n", "attitude in one way");
-  expect_refused("t,x,y,z,yaw_deg,heading_deg\n", "attitude in one way");
-  expect_refused("t,x,y,z,yaw_deg,yaw_rad\n", "'yaw_rad' is said twice");
-  expect_refused("t,x,y,z,qx,qy,qz\n", "all of qx, qy, qz, qw");
+  expect_no_poses("", "the file is empty");
+  expect_no_poses("x,y,z,yaw_deg\n", "line 1: expected one column of time");
+  expect_no_poses("t,t_ns,x,y,z,yaw_deg\n", "one column of time");
+  expect_no_poses("t,x,y,yaw_deg\n", "all of x, y, z");
+  expect_no_poses("t,yaw_deg\n", "expected the position either");
+  expect_no_poses("t,x,y,z,lat_deg,lon_deg,h_m,yaw_deg\n", "expected the position either");
+  expect_no_poses("t,x,y,z\n", "attitude in one way");
+  expect_no_poses("t,x,y,z,yaw_deg,heading_deg\n", "attitude in one way");
+  expect_no_poses("t,x,y,z,yaw_deg,yaw_rad\n", "'yaw_rad' is said twice");
+  expect_no_poses("t,x,y,z,qx,qy,qz\n", "all of qx, qy, qz, qw");
   const std::string header = "t,x,y,z,qx,qy,qz,qw\n";
-  expect_refused(header + "1,2,3\n", "line 2: expected 8 columns");
-  expect_refused(header + "1,0,0,0,0,0,0,1,\n", "line 2: expected 8 columns");
-  expect_refused(header + "1,0,0,zero,0,0,0,1\n", "'zero' is no number for column z");
-  expect_refused(header + "1,0,0,1e10,0,0,0,1\n", "column z is beyond");
-  expect_refused(header + "1,0,0,0,0,0,0,1\n1,0,0,0,0,0,0,1\n", "line 3: the time is not later");
-  expect_refused(header + "1,0,0,0,0,0,0,2\n", "line 2: the quaternion has norm 2.0");
-  expect_refused(header + "1,0,0,0,0,0,0,0\n", "the quaternion has norm 0.0");
-  expect_refused("t,lat_deg,lon_deg,h_m,yaw_deg\n1,91,0,0,0\n", "column lat_deg is beyond");
-  expect_refused("t_ns,x,y,z,yaw_deg\n1.5,0,0,0,0\n", "'1.5' is no number for column t_ns");
-  expect_refused(header, "holds no pose: 0 records");
+  expect_no_poses(header + "1,2,3\n", "line 2: expected 8 columns");
+  expect_no_poses(header + "1,0,0,0,0,0,0,1,\n", "line 2: expected 8 columns");
+  expect_no_poses(header + "1,0,0,zero,0,0,0,1\n", "'zero' is no number for column z");
+  expect_no_poses(header + "1,0,0,1e10,0,0,0,1\n", "column z is beyond");
+  expect_no_poses(header + "1,0,0,0,0,0,0,1\n1,0,0,0,0,0,0,1\n", "line 3: the time is not later");
+  expect_no_poses(header + "1,0,0,0,0,0,0,2\n", "line 2: the quaternion has norm 2.0");
+  expect_no_poses(header + "1,0,0,0,0,0,0,0\n", "the quaternion has norm 0.0");
+  expect_no_poses("t,lat_deg,lon_deg,h_m,yaw_deg\n1,91,0,0,0\n", "column lat_deg is beyond");
+  expect_no_poses("t_ns,x,y,z,yaw_deg\n1.5,0,0,0,0\n", "'1.5' is no number for column t_ns");
+  expect_no_poses(header, "holds no pose: 0 records");
 }
 
 TEST(PoseCsv, ANormThatIsRoundedIsNormalised) {
-  const PoseLog log = parse("t,x,y,z,qx,qy,qz,qw\n1,0,0,0,0,0,0,0.995\n");
+  const PoseLog log = parse_poses("t,x,y,z,qx,qy,qz,qw\n1,0,0,0,0,0,0,0.995\n");
   EXPECT_DOUBLE_EQ(log.trajectory.poses()[0].T_world_base.rotation().norm(), 1.0);
 }
 

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "berm/io/label_file.hpp"
 #include "berm/io/pcd.hpp"
@@ -21,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRadiansPerDegree = kPi / 180.0;
 
 void add_point(PointChannels& cloud, double azimuth_rad, double elevation_rad, double range_m) {
   cloud.x.push_back(static_cast<float>(range_m * std::cos(elevation_rad) * std::cos(azimuth_rad)));
@@ -44,7 +44,7 @@ PointChannels spinning(int rings, double low_deg, double high_deg, int columns, 
       const int column = column_wise ? o : i;
       const int ring = column_wise ? i : o;
       const double azimuth_rad = kPi * (1.0 - 2.0 * (column + 0.5) / columns);
-      const double elevation_rad = (low_deg + (high_deg - low_deg) * ring / (rings - 1)) * kRadiansPerDegree;
+      const double elevation_rad = (low_deg + (high_deg - low_deg) * ring / (rings - 1)) * kRadPerDeg;
       add_point(cloud, azimuth_rad, elevation_rad, room_m(azimuth_rad, elevation_rad));
     }
   }
@@ -56,7 +56,7 @@ PointChannels rosette(double cone_deg, int points) {
   PointChannels cloud;
   for (int i = 0; i < points; ++i) {
     const double phase = 0.01 * i;
-    const double off_rad = 0.5 * cone_deg * kRadiansPerDegree * std::abs(std::sin(phase));
+    const double off_rad = 0.5 * cone_deg * kRadPerDeg * std::abs(std::sin(phase));
     const double turn_rad = phase * 1.2345;
     const double azimuth_rad = off_rad * std::cos(turn_rad);
     const double elevation_rad = off_rad * std::sin(turn_rad);
@@ -93,7 +93,7 @@ TEST(RecordingInfo, ColumnWiseSpinning) {
   EXPECT_NEAR(info.turns_per_scan, 1.0, 0.01);
   ASSERT_TRUE(info.field_of_view);
   EXPECT_TRUE(info.field_of_view->full_turn);
-  EXPECT_NEAR(info.field_of_view->elevation_min_rad, -15.0 * kRadiansPerDegree, 1e-4);
+  EXPECT_NEAR(info.field_of_view->elevation_min_rad, -15.0 * kRadPerDeg, 1e-4);
 }
 
 TEST(RecordingInfo, RingWiseSpinning) {
@@ -146,7 +146,7 @@ TEST(RecordingInfo, ASensorThatLooksBackwards) {
   }
   const RecordingInfo info = inspect_cloud(std::move(cloud));
   const FieldOfView& view = info.field_of_view.value();
-  EXPECT_NEAR(view.azimuth_max_rad - view.azimuth_min_rad, 70.4 * kRadiansPerDegree, 0.02);
+  EXPECT_NEAR(view.azimuth_max_rad - view.azimuth_min_rad, 70.4 * kRadPerDeg, 0.02);
   EXPECT_EQ(info.sensor.name, "Livox Mid-70");
 }
 

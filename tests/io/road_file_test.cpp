@@ -16,7 +16,7 @@
 namespace berm {
 namespace {
 
-const std::string kHeader =
+const std::string kRoadHeader =
     "piece,chainage_m,x_m,y_m,z_m,heading_deg,left_m,left_sigma_m,right_m,right_sigma_m,width_m,width_sigma_m,"
     "grade_percent,grade_sigma_percent,cross_fall_percent,cross_fall_sigma_percent,left_berm_height_m,"
     "left_berm_height_sigma_m,left_berm_width_m,left_berm_width_sigma_m,right_berm_height_m,"
@@ -41,14 +41,14 @@ RoadStation made_station() {
   return station;
 }
 
-std::vector<RoadStation> parse(const std::string& text) {
+std::vector<RoadStation> parse_road(const std::string& text) {
   std::istringstream input(text);
   return read_road(input, "road.csv");
 }
 
-void expect_refused(const std::string& text, const std::string& part) {
+void expect_no_road(const std::string& text, const std::string& part) {
   SCOPED_TRACE(text);
-  test::expect_file_error(ErrorCode::malformed, part, [&] { (void)parse(text); });
+  test::expect_file_error(ErrorCode::malformed, part, [&] { (void)parse_road(text); });
 }
 
 /// `kRow` with another text in a column, counted from 1.
@@ -57,16 +57,16 @@ std::string changed(int column, const std::string& text) {
   for (int i = 1; i < column; ++i) {
     begin = kRow.find(',', begin) + 1;
   }
-  return kHeader + kRow.substr(0, begin) + text + kRow.substr(std::min(kRow.find(',', begin), kRow.size() - 1));
+  return kRoadHeader + kRow.substr(0, begin) + text + kRow.substr(std::min(kRow.find(',', begin), kRow.size() - 1));
 }
 
 TEST(RoadFile, WritesWhatIsDocumented) {
   const test::TempFolder folder;
   const std::vector<RoadStation> stations = {made_station()};
   write_road(folder / "road.csv", stations);
-  EXPECT_EQ(test::slurp(folder / "road.csv"), kHeader + kRow);
+  EXPECT_EQ(test::slurp(folder / "road.csv"), kRoadHeader + kRow);
   write_road(folder / "road.csv", {});
-  EXPECT_EQ(test::slurp(folder / "road.csv"), kHeader);
+  EXPECT_EQ(test::slurp(folder / "road.csv"), kRoadHeader);
 }
 
 bool is_near(const std::optional<Measure>& a, const std::optional<Measure>& b, double unit) {
@@ -120,22 +120,22 @@ TEST(RoadFile, SurvivesARoundTrip) {
 }
 
 TEST(RoadFile, RefusesWhatIsNoTable) {
-  EXPECT_TRUE(parse(kHeader).empty());
-  EXPECT_EQ(parse("# made\n" + kHeader + kRow + "\n" + kRow).size(), 2U);
-  expect_refused("", "the file is empty");
-  expect_refused("piece,chainage_m\n" + kRow, "line 1: expected the header piece,chainage_m,x_m");
-  expect_refused(changed(1, "-1"), "line 2: expected a whole number in piece");
-  expect_refused(changed(1, ""), "expected a whole number in piece");
-  expect_refused(changed(1, "99999999999"), "expected a whole number in piece");
-  expect_refused(changed(3, "nan"), "expected a number in x_m, found 'nan'");
-  expect_refused(changed(4, "1e10"), "expected a number in y_m");
-  expect_refused(changed(7, ""), "nothing in left_m, but '0.100' in left_sigma_m");
-  expect_refused(changed(8, ""), "expected a number in left_sigma_m");
-  expect_refused(changed(8, "-0.1"), "found one below 0");
-  expect_refused(changed(25, "perhaps"), "expected holds, uncertain, broken or nothing in width_rule");
-  expect_refused(changed(28, ",1"), "more columns than the header has");
-  expect_refused(kHeader + "0,1,2,3\n", "the line ends before z_m");
-  expect_refused(kHeader + kRow + "0" + kRow.substr(1), "line 3: pieces and chainages must not fall");
+  EXPECT_TRUE(parse_road(kRoadHeader).empty());
+  EXPECT_EQ(parse_road("# made\n" + kRoadHeader + kRow + "\n" + kRow).size(), 2U);
+  expect_no_road("", "the file is empty");
+  expect_no_road("piece,chainage_m\n" + kRow, "line 1: expected the header piece,chainage_m,x_m");
+  expect_no_road(changed(1, "-1"), "line 2: expected a whole number in piece");
+  expect_no_road(changed(1, ""), "expected a whole number in piece");
+  expect_no_road(changed(1, "99999999999"), "expected a whole number in piece");
+  expect_no_road(changed(3, "nan"), "expected a number in x_m, found 'nan'");
+  expect_no_road(changed(4, "1e10"), "expected a number in y_m");
+  expect_no_road(changed(7, ""), "nothing in left_m, but '0.100' in left_sigma_m");
+  expect_no_road(changed(8, ""), "expected a number in left_sigma_m");
+  expect_no_road(changed(8, "-0.1"), "found one below 0");
+  expect_no_road(changed(25, "perhaps"), "expected holds, uncertain, broken or nothing in width_rule");
+  expect_no_road(changed(28, ",1"), "more columns than the header has");
+  expect_no_road(kRoadHeader + "0,1,2,3\n", "the line ends before z_m");
+  expect_no_road(kRoadHeader + kRow + "0" + kRow.substr(1), "line 3: pieces and chainages must not fall");
   test::expect_file_error(ErrorCode::not_found, "road.csv", [] { (void)read_road("/nowhere/road.csv"); });
 }
 

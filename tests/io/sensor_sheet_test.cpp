@@ -13,7 +13,7 @@ namespace {
 
 using test::expect_file_error;
 
-void expect_refused(const std::string& text, const std::string& part) {
+void expect_no_sheet(const std::string& text, const std::string& part) {
   SCOPED_TRACE(text.substr(0, 80));
   expect_file_error(ErrorCode::malformed, part, [&] { (void)parse_sensor_sheet(text, "sequence.json"); });
 }
@@ -66,33 +66,33 @@ TEST(SensorSheet, NeedsNothing) {
 }
 
 TEST(SensorSheet, RefusesOtherTypesAndRanges) {
-  expect_refused(R"({"scan_hz": "10"})", "sequence.json: 'scan_hz' is a string, expected a number from 0.01 to 1000");
-  expect_refused(R"({"scan_hz": true})", "'scan_hz' is a boolean");
-  expect_refused(R"({"scan_hz": null})", "'scan_hz' is a null");
-  expect_refused(R"({"scan_hz": 0})", "'scan_hz' is 0, expected");
-  expect_refused(R"({"scan_hz": 1e300})", "expected a number from");
-  expect_refused(R"({"sensor_height_m": -1})", "'sensor_height_m' is -1");
-  expect_refused(R"({"sensor_pitch_deg": [11]})", "'sensor_pitch_deg' is a array");
-  expect_refused(R"({"seed": -1})", "'seed' is -1, expected a whole number");
-  expect_refused(R"({"seed": 1.5})", "'seed' is 1.5");
-  expect_refused(R"({"world_origin_m": [1, 2]})", "'world_origin_m' is a array, expected an array of three numbers");
-  expect_refused(R"({"world_origin_m": [1, 2, "3"]})", "'world_origin_m' is a string");
-  expect_refused(R"({"sensor": 70})", "'sensor' is a number, expected a text");
+  expect_no_sheet(R"({"scan_hz": "10"})", "sequence.json: 'scan_hz' is a string, expected a number from 0.01 to 1000");
+  expect_no_sheet(R"({"scan_hz": true})", "'scan_hz' is a boolean");
+  expect_no_sheet(R"({"scan_hz": null})", "'scan_hz' is a null");
+  expect_no_sheet(R"({"scan_hz": 0})", "'scan_hz' is 0, expected");
+  expect_no_sheet(R"({"scan_hz": 1e300})", "expected a number from");
+  expect_no_sheet(R"({"sensor_height_m": -1})", "'sensor_height_m' is -1");
+  expect_no_sheet(R"({"sensor_pitch_deg": [11]})", "'sensor_pitch_deg' is a array");
+  expect_no_sheet(R"({"seed": -1})", "'seed' is -1, expected a whole number");
+  expect_no_sheet(R"({"seed": 1.5})", "'seed' is 1.5");
+  expect_no_sheet(R"({"world_origin_m": [1, 2]})", "'world_origin_m' is a array, expected an array of three numbers");
+  expect_no_sheet(R"({"world_origin_m": [1, 2, "3"]})", "'world_origin_m' is a string");
+  expect_no_sheet(R"({"sensor": 70})", "'sensor' is a number, expected a text");
 }
 
 TEST(SensorSheet, RefusesWhatIsNoJsonObject) {
-  expect_refused("", "no JSON");
-  expect_refused("{\"scan_hz\": 10", "no JSON");
-  expect_refused("{\"scan_hz\": nan}", "at byte 13: this is no JSON");
-  expect_refused("{} {}", "no JSON");
-  expect_refused("[10]", "expected a JSON object");
-  expect_refused("{\"\xff\": 1}", "no JSON");
-  expect_refused("{\"scan_hz\": 1e999}", "sequence.json: ");
+  expect_no_sheet("", "no JSON");
+  expect_no_sheet("{\"scan_hz\": 10", "no JSON");
+  expect_no_sheet("{\"scan_hz\": nan}", "at byte 13: this is no JSON");
+  expect_no_sheet("{} {}", "no JSON");
+  expect_no_sheet("[10]", "expected a JSON object");
+  expect_no_sheet("{\"\xff\": 1}", "no JSON");
+  expect_no_sheet("{\"scan_hz\": 1e999}", "sequence.json: ");
 }
 
 TEST(SensorSheet, IsBoundedInDepthAndSize) {
   const std::string deep(100'000, '[');
-  expect_refused("{\"a\": " + deep, "nested deeper than 16 levels");
+  expect_no_sheet("{\"a\": " + deep, "nested deeper than 16 levels");
   const test::TempFolder folder;
   test::spill(folder / "sequence.json", "{\"a\": \"" + std::string(1U << 20U, 'x') + "\"}");
   expect_file_error(ErrorCode::unsupported, "sequence.json",

@@ -16,14 +16,14 @@ namespace {
 
 using test::expect_file_error;
 
-Trajectory parse(const std::string& text) {
+Trajectory parse_tum(const std::string& text) {
   std::istringstream input(text);
   return read_tum(input, "path.tum");
 }
 
-void expect_refused(const std::string& text, const std::string& part) {
+void expect_no_tum(const std::string& text, const std::string& part) {
   SCOPED_TRACE(text);
-  expect_file_error(ErrorCode::malformed, part, [&] { (void)parse(text); });
+  expect_file_error(ErrorCode::malformed, part, [&] { (void)parse_tum(text); });
 }
 
 double uniform(double low, double high) {
@@ -80,29 +80,29 @@ TEST(TumFile, WritesAnEmptyFileForNoPoses) {
 }
 
 TEST(TumFile, SkipsCommentsAndAcceptsCrlfAndTabs) {
-  const Trajectory trajectory = parse("# t x y z qx qy qz qw\r\n1 1 2 3 0 0 0 1\r\n\r\n2\t4 5  6 0 0 0 1");
+  const Trajectory trajectory = parse_tum("# t x y z qx qy qz qw\r\n1 1 2 3 0 0 0 1\r\n\r\n2\t4 5  6 0 0 0 1");
   ASSERT_EQ(trajectory.size(), 2U);
   EXPECT_EQ(trajectory.poses()[1].T_world_base.translation_m(), Eigen::Vector3d(4, 5, 6));
 }
 
 TEST(TumFile, NormalisesAQuaternionThatIsNearlyOne) {
-  const Trajectory trajectory = parse("1 0 0 0 0 0 0.6 0.805\n");
+  const Trajectory trajectory = parse_tum("1 0 0 0 0 0 0.6 0.805\n");
   EXPECT_NEAR(trajectory.poses()[0].T_world_base.rotation().norm(), 1.0, 1e-15);
 }
 
 TEST(TumFile, RefusesBrokenLinesByNumber) {
   const std::string good = "1 0 0 0 0 0 0 1\n";
-  expect_refused(good + "2 0 0 0 0 0 1\n", "path.tum: line 2: only 6 numbers, expected 7");
-  expect_refused(good + "2 0 0 0 0 0 0 1 9\n", "line 2: '9' follows the last number");
-  expect_refused(good + "2 0 0 x 0 0 0 1\n", "line 2: 'x' in column 3 is no finite number");
-  expect_refused(good + "2 0 0 nan 0 0 0 1\n", "no finite number");
-  expect_refused(good + "2 0 0 1e999 0 0 0 1\n", "no finite number");
-  expect_refused(good + "2 0 0 2e9 0 0 0 1\n", "beyond +-1e9 m");
-  expect_refused(good + "2 0 0 0 0 0 0 0\n", "norm 0.000000, expected 1");
-  expect_refused(good + "2 0 0 0 0 0 0 1.02\n", "norm 1.02");
-  expect_refused(good + "2 0 0 0 1e300 0 0 1\n", "norm inf");
-  expect_refused(good + "1 0 0 0 0 0 0 1\n", "line 2: the stamp is not later");
-  expect_refused("one 0 0 0 0 0 0 1\n", "line 1: expected a stamp in seconds, found 'one'");
+  expect_no_tum(good + "2 0 0 0 0 0 1\n", "path.tum: line 2: only 6 numbers, expected 7");
+  expect_no_tum(good + "2 0 0 0 0 0 0 1 9\n", "line 2: '9' follows the last number");
+  expect_no_tum(good + "2 0 0 x 0 0 0 1\n", "line 2: 'x' in column 3 is no finite number");
+  expect_no_tum(good + "2 0 0 nan 0 0 0 1\n", "no finite number");
+  expect_no_tum(good + "2 0 0 1e999 0 0 0 1\n", "no finite number");
+  expect_no_tum(good + "2 0 0 2e9 0 0 0 1\n", "beyond +-1e9 m");
+  expect_no_tum(good + "2 0 0 0 0 0 0 0\n", "norm 0.000000, expected 1");
+  expect_no_tum(good + "2 0 0 0 0 0 0 1.02\n", "norm 1.02");
+  expect_no_tum(good + "2 0 0 0 1e300 0 0 1\n", "norm inf");
+  expect_no_tum(good + "1 0 0 0 0 0 0 1\n", "line 2: the stamp is not later");
+  expect_no_tum("one 0 0 0 0 0 0 1\n", "line 1: expected a stamp in seconds, found 'one'");
 }
 
 TEST(TumFile, ReadsARealTrajectory) {

@@ -49,7 +49,7 @@ class MemoryStore final : public SurfaceStore {
   int commits = 0;
 };
 
-double uniform(std::mt19937_64& random) {
+double uniform_share(std::mt19937_64& random) {
   return static_cast<double>(random() >> 11U) * 0x1p-53;
 }
 
@@ -63,7 +63,7 @@ SurfaceScan scan_of_wall(const Eigen::Vector3d& sensor_m, const std::vector<Eige
   std::vector<Eigen::Vector3d> ends_m;
   for (int i = 0; i < beams; ++i) {
     Eigen::Vector3d end_m =
-        sensor_m + Eigen::Vector3d(20.0, 8.0 * (uniform(random) - 0.5), 8.0 * (uniform(random) - 0.5));
+        sensor_m + Eigen::Vector3d(20.0, 8.0 * (uniform_share(random) - 0.5), 8.0 * (uniform_share(random) - 0.5));
     const Eigen::Vector3d direction = (end_m - sensor_m).normalized();
     for (const Eigen::Vector3d& thing_m : things_m) {
       const double along_m = (thing_m - sensor_m).dot(direction);
@@ -147,8 +147,8 @@ TEST(SurfaceTilesTest, APlaneIsAsSharpAsItsNoiseAllows) {
   for (int i = 0; i < 50; ++i) {
     SurfaceScan scan;
     for (int k = 0; k < 4000; ++k) {
-      const double x_m = 10.0 * uniform(random);
-      const double y_m = 10.0 * uniform(random);
+      const double x_m = 10.0 * uniform_share(random);
+      const double y_m = 10.0 * uniform_share(random);
       const Eigen::Vector3d on_plane_m(x_m, y_m, -(normal.x() * x_m + normal.y() * y_m) / normal.z());
       scan.samples.push_back({on_plane_m + noise(random) * normal, 100.0F, Label::drivable});
     }
@@ -214,7 +214,7 @@ void drive(SurfaceTiles& tiles, std::size_t& most_voxels) {
     scan.sensor_m = {x_m, 0.0, 2.0};
     for (int k = 0; k < 500; ++k) {
       scan.samples.push_back(
-          {{x_m + 30.0 * uniform(random), 20.0 * (uniform(random) - 0.5), 0.0}, 1.0F, Label::drivable});
+          {{x_m + 30.0 * uniform_share(random), 20.0 * (uniform_share(random) - 0.5), 0.0}, 1.0F, Label::drivable});
     }
     tiles.add(scan);
     most_voxels = std::max(most_voxels, tiles.voxels_in_memory());
@@ -273,7 +273,7 @@ TEST(SurfaceTilesTest, PointsStayInTheirVoxelsWhateverTheyAre) {
     SurfaceScan scan;
     scan.sensor_m = Eigen::Vector3d::Constant(where % 7000);
     for (int i = 0; i < 50; ++i) {
-      const Eigen::Vector3d by_m(uniform(random), uniform(random), uniform(random));
+      const Eigen::Vector3d by_m(uniform_share(random), uniform_share(random), uniform_share(random));
       // Near the faces of voxels, where rounding decides.
       const Eigen::Vector3d snapped_m = (by_m * 10.0).array().round() / 10.0;
       scan.samples.push_back({scan.sensor_m + (i % 2 == 0 ? by_m : snapped_m), 1.0F, Label::terrain});

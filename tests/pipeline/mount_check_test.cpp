@@ -1,17 +1,15 @@
 #include "berm/pipeline/mount_check.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/mount.hpp"
 #include "support/made_scan.hpp"
 
 namespace berm {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Pose mount(double height_m, double pitch_deg = 0.0, double roll_deg = 0.0) {
   return MountConfig{.height_m = height_m, .pitch_deg = pitch_deg, .roll_deg = roll_deg}.T_base_sensor();
@@ -25,7 +23,7 @@ PointCloud street() {
 PointCloud slope(double terrain_deg, double heel_deg = 0.0) {
   test::World world;
   world.terrain_m = [terrain_deg, heel_deg](double x_m, double y_m) {
-    return std::tan(terrain_deg * kDegree) * x_m + std::tan(heel_deg * kDegree) * y_m;
+    return std::tan(terrain_deg * kRadPerDeg) * x_m + std::tan(heel_deg * kRadPerDeg) * y_m;
   };
   // The machine stands on the slope: nose up.
   return test::cast(world, test::rosette_beams(70.4, 10000), test::standing_at_origin(world, 2.3, 11.0 - terrain_deg))
@@ -40,7 +38,7 @@ TEST(MountCheck, BelievesWhatIsRight) {
   const MountCheckResult result = check(street(), mount(1.8));
   EXPECT_EQ(result.verdict, MountVerdict::plausible);
   ASSERT_TRUE(result.estimate);
-  EXPECT_LT(result.estimate->tilt_rad, 3.0 * kDegree);
+  EXPECT_LT(result.estimate->tilt_rad, 3.0 * kRadPerDeg);
   EXPECT_NEAR(result.estimate->height_m, 1.8, 0.15);
 }
 
@@ -55,19 +53,19 @@ TEST(MountCheck, SaysHowMuchAndInWhichDirection) {
   const MountCheckResult nose = check(cloud, mount(1.8, -30.0));
   EXPECT_EQ(nose.verdict, MountVerdict::implausible);
   ASSERT_TRUE(nose.estimate);
-  EXPECT_NEAR(nose.estimate->pitch_rad, 30.0 * kDegree, 3.0 * kDegree) << "the nose looks down more than it says";
-  EXPECT_NEAR(nose.estimate->roll_rad, 0.0, 3.0 * kDegree);
+  EXPECT_NEAR(nose.estimate->pitch_rad, 30.0 * kRadPerDeg, 3.0 * kRadPerDeg) << "the nose looks down more than it says";
+  EXPECT_NEAR(nose.estimate->roll_rad, 0.0, 3.0 * kRadPerDeg);
   const MountCheckResult side = check(cloud, mount(1.8, 0.0, 30.0));
   EXPECT_EQ(side.verdict, MountVerdict::implausible);
   ASSERT_TRUE(side.estimate);
-  EXPECT_NEAR(side.estimate->roll_rad, -30.0 * kDegree, 3.0 * kDegree);
+  EXPECT_NEAR(side.estimate->roll_rad, -30.0 * kRadPerDeg, 3.0 * kRadPerDeg);
 }
 
 TEST(MountCheck, NoticesUpsideDown) {
   const MountCheckResult result = check(street(), mount(1.8, 0.0, 180.0));
   EXPECT_EQ(result.verdict, MountVerdict::implausible);
   ASSERT_TRUE(result.estimate);
-  EXPECT_GT(result.estimate->tilt_rad, 175.0 * kDegree);
+  EXPECT_GT(result.estimate->tilt_rad, 175.0 * kRadPerDeg);
 }
 
 TEST(MountCheck, NoticesAWrongHeightUnlessNoneIsGiven) {

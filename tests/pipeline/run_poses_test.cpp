@@ -16,7 +16,7 @@ using nlohmann::json;
 using test::TruckDrive;
 using testing::HasSubstr;
 
-constexpr Geodetic kMine{-23.4, 119.8, 700.0};
+constexpr Geodetic kMineDatum{-23.4, 119.8, 700.0};
 
 class RunPosesTest : public test::TruckRunTest {};
 
@@ -132,7 +132,7 @@ TEST_F(RunPosesTest, QuaternionsThatAreNoneAreRefusedOrCounted) {
 
 TEST_F(RunPosesTest, AnNmeaLogBesideTheScansPutsTheMapOnTheEarth) {
   start_at(43'200'000'000'000);
-  std::string log = test::as_nmea(drive_.poses(), kMine);
+  std::string log = test::as_nmea(drive_.poses(), kMineDatum);
   // Two sentences whose checksum is spoilt, and a cut one.
   for (const std::size_t n : {5U, 11U}) {
     std::size_t star = 0;
@@ -146,7 +146,7 @@ TEST_F(RunPosesTest, AnNmeaLogBesideTheScansPutsTheMapOnTheEarth) {
   const json report = this->report();
   EXPECT_EQ(report["poses"]["log"]["bad_checksum"], 3) << "one of them cut";
   EXPECT_THAT(report["notes"].dump(), HasSubstr("3 with a bad checksum"));
-  EXPECT_NEAR(report["poses"]["datum"]["lat_deg"].get<double>(), kMine.lat_deg, 1e-6);
+  EXPECT_NEAR(report["poses"]["datum"]["lat_deg"].get<double>(), kMineDatum.lat_deg, 1e-6);
   EXPECT_TRUE(fs::exists(out_ / "edges.geojson"));
   EXPECT_EQ(report["edges"]["scans_mapped"], kScans);
   expect_on_berms(lines());
@@ -154,7 +154,7 @@ TEST_F(RunPosesTest, AnNmeaLogBesideTheScansPutsTheMapOnTheEarth) {
   // A second drive begins elsewhere: with the map of the first, its world begins where that of the first does.
   TruckDrive second = drive_;
   second.origin_m = {3.0, -1.0, 0.0};
-  test::spill(recording_ / "gnss.nmea", test::as_nmea(second.poses(), kMine));
+  test::spill(recording_ / "gnss.nmea", test::as_nmea(second.poses(), kMineDatum));
   static_cast<void>(run_it({.output = folder_ / "second", .map = out_ / "edges.ot"}));
   EXPECT_EQ(map_in(folder_ / "second").world(), map().world());
   EXPECT_GT(map_in(folder_ / "second").size(), map().size());
@@ -165,7 +165,7 @@ TEST_F(RunPosesTest, AnNmeaLogBesideTheScansPutsTheMapOnTheEarth) {
 TEST_F(RunPosesTest, TwoDaysWithoutADatumAreTwoWorlds) {
   machine_.datum.origin = "none";
   start_at(43'200'000'000'000);
-  test::spill(recording_ / "gnss.nmea", test::as_nmea(drive_.poses(), kMine));
+  test::spill(recording_ / "gnss.nmea", test::as_nmea(drive_.poses(), kMineDatum));
   static_cast<void>(run_it());
   EXPECT_FALSE(fs::exists(out_ / "edges.geojson"));
   EXPECT_FALSE(datum_of(map().world()));
@@ -173,7 +173,7 @@ TEST_F(RunPosesTest, TwoDaysWithoutADatumAreTwoWorlds) {
   // The second day begins elsewhere, and its metres are counted from there.
   TruckDrive second = drive_;
   second.origin_m = {3.0, -1.0, 0.0};
-  test::spill(recording_ / "gnss.nmea", test::as_nmea(second.poses(), kMine));
+  test::spill(recording_ / "gnss.nmea", test::as_nmea(second.poses(), kMineDatum));
   test::expect_file_error(ErrorCode::unsupported, "cannot be put together",
                           [&] { static_cast<void>(run_it({.output = folder_ / "second", .map = out_ / "edges.ot"})); });
   static_cast<void>(run_it({.output = folder_ / "alone"}));

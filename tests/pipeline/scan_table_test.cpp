@@ -1,17 +1,15 @@
 #include "scan_table.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "support/temp_folder.hpp"
 
 namespace berm {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 TEST(CsvField, IsQuotedWhereItHasToBe) {
   EXPECT_EQ(csv_field("000012"), "000012");
@@ -27,17 +25,17 @@ TEST(ScanTable, LeavesOutWhatIsNotKnown) {
   figures.counts = {.drivable = 4, .terrain = 3, .obstacle = 2, .falling_snow = 1, .no_return = 6, .invalid = 5};
   ScanTable table(folder / "scans.csv");
   table.add("000000", -1'500'000'000, figures);
-  figures.slope = SlopeAhead{.slope_rad = -10.0 * kDegree, .slope_sigma_rad = 0.5 * kDegree};
+  figures.slope = SlopeAhead{.slope_rad = -10.0 * kRadPerDeg, .slope_sigma_rad = 0.5 * kRadPerDeg};
   figures.obstacle_ahead_m = 12.3456;
-  figures.ground_tilt_rad = 2.0 * kDegree;
+  figures.ground_tilt_rad = 2.0 * kRadPerDeg;
   figures.left_vertices = 7;
   figures.right_edge_m = 5.25;
   figures.edge_points = 3;
   figures.degraded.add(Degradation::no_time);
   figures.degraded.add(Degradation::no_intensity);
   table.add("a,b", 12'000'000'345, figures);
-  figures.slope->cross_fall_rad = 3.0 * kDegree;
-  figures.slope->cross_fall_sigma_rad = 1.0 * kDegree;
+  figures.slope->cross_fall_rad = 3.0 * kRadPerDeg;
+  figures.slope->cross_fall_sigma_rad = 1.0 * kRadPerDeg;
   table.add("c", 0, figures);
   EXPECT_FALSE(std::filesystem::exists(folder / "scans.csv")) << "not before it is whole";
   table.commit();

@@ -9,7 +9,7 @@
 namespace berm {
 namespace {
 
-Machine made_machine() {
+Machine sheet_machine() {
   Machine machine;
   machine.machine.name = "made";
   machine.mount.height_m = 2.0;
@@ -18,7 +18,7 @@ Machine made_machine() {
 }
 
 TEST(SensorSheet, BeatsTheMachineAndSaysSo) {
-  Machine machine = made_machine();
+  Machine machine = sheet_machine();
   const SensorSheet sheet{.height_m = 2.5, .pitch_rad = 12.0 * std::numbers::pi / 180.0};
   const auto notes = adopt_sheet(machine, sheet, {});
   EXPECT_EQ(machine.mount.height_m, 2.5);
@@ -28,13 +28,13 @@ TEST(SensorSheet, BeatsTheMachineAndSaysSo) {
 }
 
 TEST(SensorSheet, WhatIsEqualIsNotNoted) {
-  Machine machine = made_machine();
+  Machine machine = sheet_machine();
   const SensorSheet sheet{.height_m = 2.0, .pitch_rad = 11.0 * std::numbers::pi / 180.0};
   EXPECT_TRUE(adopt_sheet(machine, sheet, {}).empty());
 }
 
 TEST(SensorSheet, PinnedKeysStay) {
-  Machine machine = made_machine();
+  Machine machine = sheet_machine();
   const auto notes = adopt_sheet(machine, {.height_m = 2.5, .scan_hz = 20.0}, {"mount.height_m"});
   EXPECT_EQ(machine.mount.height_m, 2.0);
   EXPECT_EQ(machine.sensor.scan_hz, 20.0);
@@ -42,7 +42,7 @@ TEST(SensorSheet, PinnedKeysStay) {
 }
 
 TEST(SensorSheet, AbsurdValuesAreRefused) {
-  Machine machine = made_machine();
+  Machine machine = sheet_machine();
   EXPECT_THROW(adopt_sheet(machine, {.height_m = 99.0}, {}), ConfigError);
 }
 

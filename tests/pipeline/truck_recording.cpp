@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/io/pcd.hpp"
 #include "support/made_nmea.hpp"
 #include "support/made_recording.hpp"
@@ -20,7 +21,6 @@ constexpr double kSensorHeight_m = 4.0;
 constexpr int kColumns = 900;
 constexpr int kRings = 16;
 constexpr Stamp kScan_ns = 100'000'000;
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Corners of the profile across the road, to one side: road, berm of 1.2 m, level ground.
 constexpr std::array<std::array<double, 2>, 5> kProfile = {
@@ -80,7 +80,7 @@ Scan truck_scan(std::size_t index) {
   for (int column = 0; column < kColumns; ++column) {
     const double azimuth = std::numbers::pi - 2.0 * std::numbers::pi * (column + 0.5) / kColumns;
     for (int ring = 0; ring < kRings; ++ring) {
-      const double elevation = (2.0 * ring - 15.0) * kDegree;
+      const double elevation = (2.0 * ring - 15.0) * kRadPerDeg;
       const double level = std::cos(elevation);
       const double hit = cast(level * std::abs(std::sin(azimuth)), std::sin(elevation));
       const double range = hit > 0.0 ? hit + noise(random) : 0.0;
@@ -144,7 +144,7 @@ std::string as_nmea(const Trajectory& poses, const Geodetic& datum) {
                                  degrees_minutes(place.lat_deg, 2), place.lat_deg < 0.0 ? 'S' : 'N',
                                  degrees_minutes(place.lon_deg, 3), place.lon_deg < 0.0 ? 'W' : 'E', place.h_m));
     const Eigen::Vector3d forward = pose.T_world_base.rotation() * Eigen::Vector3d::UnitX();
-    const double heading_deg = std::fmod(450.0 - std::atan2(forward.y(), forward.x()) / kDegree, 360.0);
+    const double heading_deg = std::fmod(450.0 - std::atan2(forward.y(), forward.x()) / kRadPerDeg, 360.0);
     text += sentence(fmt::format("GNHDT,{:.5f},T", heading_deg));
   }
   return text;

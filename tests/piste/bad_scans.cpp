@@ -5,18 +5,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <random>
 #include <utility>
 
+#include "berm/core/angle.hpp"
 #include "piste/mid70_scan.hpp"
 #include "support/random_points.hpp"
 
 namespace berm::test {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 

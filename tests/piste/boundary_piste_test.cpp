@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "piste/boundary_scene.hpp"
 #include "piste/mid70_scan.hpp"
@@ -24,8 +25,6 @@ namespace {
 
 using test::PisteScan;
 using test::StraightPiste;
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// What the groomer sees, a tenth of a second after the other from seed to seed.
 PisteScan rosette_scan(const StraightPiste& piste, std::uint32_t seed = 1) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "envelopes.hpp"
 #include "made_series.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 using test::MadeSeries;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr std::size_t kPetal = 60;
 
 /// Level ground as three petals of 60 beams see it from a sensor in the base. Every petal goes 30 degrees to the left

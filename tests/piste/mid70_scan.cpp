@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <numbers>
 
+#include "berm/core/angle.hpp"
+
 namespace berm::test {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kMountHeight_m = 2.3;
 constexpr double kMountPitch_rad = 11.0 * kRadPerDeg;
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/io/pcd.hpp"
 #include "berm/snow/repair.hpp"
 #include "made_series.hpp"
@@ -21,8 +21,6 @@ namespace berm {
 namespace {
 
 using test::MadeSeries;
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 std::vector<double> lengths_of(const SeriesView& series, double min_rise_deg = 3.0) {
   Petals petals(min_rise_deg * kRadPerDeg);

@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "made_series.hpp"
 
 namespace berm {
@@ -15,8 +15,6 @@ namespace {
 
 using test::MadeSeries;
 using testing::ElementsAre;
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// Points at a range of 10 m in the plane of x and y, at these angles to the boresight.
 MadeSeries at_angles(const std::vector<double>& angles_deg) {

@@ -20,7 +20,7 @@ namespace {
 using test::WindowPlace;
 using Terms = PisteSurface::Terms;
 
-constexpr double kHalfAngle_rad = 0.6;
+constexpr double kFanHalfAngle_rad = 0.6;
 /// So little that the level plane the surface is drawn to does not show.
 constexpr PisteSurface::Noise kExact{.height_m = 1e-4, .slope = 1e-4};
 
@@ -53,7 +53,7 @@ TEST(PisteSurface, IsLevelBeforeAnythingIsSeen) {
 TEST(PisteSurface, IsTheCubicThatItsWindowsLieOn) {
   EXPECT_TRUE(rc::check([] {
     const test::HeightOf cubic = *any_cubic();
-    const PisteSurface surface = fitted(test::scattered_windows(600, 3.0, 40.0, kHalfAngle_rad, cubic));
+    const PisteSurface surface = fitted(test::scattered_windows(600, 3.0, 40.0, kFanHalfAngle_rad, cubic));
     for (const double x : {5.0, 15.0, 38.0}) {
       for (const double y : {-4.0, 0.0, 5.0}) {
         RC_ASSERT(std::abs(double{surface.height_m(static_cast<float>(x), static_cast<float>(y))} - cubic(x, y)) <
@@ -69,7 +69,7 @@ TEST(PisteSurface, IsTheCubicThatItsWindowsLieOn) {
 TEST(PisteSurface, TakesItsGradientFromSlopesAlone) {
   EXPECT_TRUE(rc::check([] {
     const test::HeightOf cubic = *any_cubic();
-    TraceWindows windows = test::scattered_windows(600, 3.0, 40.0, kHalfAngle_rad, cubic);
+    TraceWindows windows = test::scattered_windows(600, 3.0, 40.0, kFanHalfAngle_rad, cubic);
     for (float& z : windows.z) {
       z += static_cast<float>(*rc::gen::inRange(-10, 11));
     }
@@ -83,7 +83,7 @@ TEST(PisteSurface, TakesItsGradientFromSlopesAlone) {
 
 TEST(PisteSurface, LooksAtTheWindowsOfThePisteAlone) {
   const test::HeightOf piste = [](double x, double) { return 0.1 * x; };
-  TraceWindows windows = test::scattered_windows(300, 3.0, 40.0, kHalfAngle_rad, piste);
+  TraceWindows windows = test::scattered_windows(300, 3.0, 40.0, kFanHalfAngle_rad, piste);
   std::vector<std::uint8_t> is_piste(windows.size(), 1);
   for (std::size_t i = 0; i < windows.size(); i += 2) {
     windows.z[i] += 5.0F;
@@ -96,8 +96,9 @@ TEST(PisteSurface, LooksAtTheWindowsOfThePisteAlone) {
 }
 
 TEST(PisteSurface, ComparesWindowsWithWhatItSaysOfTheirPlaces) {
-  const PisteSurface surface = fitted(test::scattered_windows(
-      300, 3.0, 40.0, kHalfAngle_rad, [](double x, double y) { return 1e-3 * x * x + 0.05 * y - 1e-5 * x * y * y; }));
+  const PisteSurface surface =
+      fitted(test::scattered_windows(300, 3.0, 40.0, kFanHalfAngle_rad,
+                                     [](double x, double y) { return 1e-3 * x * x + 0.05 * y - 1e-5 * x * y * y; }));
   const TraceWindows others = test::scattered_windows(
       200, 3.0, 60.0, 3.1, [](double x, double y) { return std::sin(0.3 * x) + 0.1 * y; }, 2);
   std::vector<float> height(others.size());
@@ -113,7 +114,7 @@ TEST(PisteSurface, ComparesWindowsWithWhatItSaysOfTheirPlaces) {
 }
 
 TEST(PisteSurface, GivesLessWeightToWhatTheLastOneMissed) {
-  TraceWindows windows = test::scattered_windows(600, 3.0, 40.0, kHalfAngle_rad, [](double, double) { return 0.0; });
+  TraceWindows windows = test::scattered_windows(600, 3.0, 40.0, kFanHalfAngle_rad, [](double, double) { return 0.0; });
   for (std::size_t i = 0; i < windows.size(); i += 5) {
     windows.z[i] += 0.8F;
     windows.slope[i] += 0.8F;
@@ -139,7 +140,7 @@ TEST(PisteSurface, GivesLessWeightToWhatTheLastOneMissed) {
 }
 
 TEST(PisteSurface, GivesLessWeightToSlopesThatTheLastOneMissed) {
-  TraceWindows windows = test::scattered_windows(600, 3.0, 40.0, kHalfAngle_rad, [](double, double) { return 0.0; });
+  TraceWindows windows = test::scattered_windows(600, 3.0, 40.0, kFanHalfAngle_rad, [](double, double) { return 0.0; });
   for (std::size_t i = 0; i < windows.size(); i += 5) {
     windows.slope[i] += windows.along_x[i] > 0.0F ? 0.8F : -0.8F;
   }
@@ -228,7 +229,7 @@ TEST(PisteSurface, IsThePlainSolutionOfTheNormalEquations) {
 TEST(PisteSurface, ScattersByItsVariance) {
   const PisteSurface::Noise noise{.height_m = 0.02, .slope = 0.02};
   constexpr double kNever = 1e9;
-  TraceWindows windows = test::scattered_windows(400, 3.0, 40.0, kHalfAngle_rad, [](double, double) { return 0.0; });
+  TraceWindows windows = test::scattered_windows(400, 3.0, 40.0, kFanHalfAngle_rad, [](double, double) { return 0.0; });
   std::vector<double> height_sigma;
   std::vector<double> slope_sigma;
   for (std::size_t i = 0; i < windows.size(); ++i) {
@@ -263,8 +264,8 @@ TEST(PisteSurface, ScattersByItsVariance) {
 
 TEST(PisteSurface, IsMoreCertainWhereMoreIsSeen) {
   const auto flat = [](double, double) { return 0.0; };
-  const PisteSurface few = fitted(test::scattered_windows(50, 3.0, 20.0, kHalfAngle_rad, flat), {});
-  const PisteSurface many = fitted(test::scattered_windows(500, 3.0, 20.0, kHalfAngle_rad, flat), {});
+  const PisteSurface few = fitted(test::scattered_windows(50, 3.0, 20.0, kFanHalfAngle_rad, flat), {});
+  const PisteSurface many = fitted(test::scattered_windows(500, 3.0, 20.0, kFanHalfAngle_rad, flat), {});
   const Terms near = PisteSurface::height_terms(10.0, 0.0);
   EXPECT_LT(many.variance(near), few.variance(near));
   EXPECT_LT(many.variance(near), many.variance(PisteSurface::height_terms(40.0, 0.0)));

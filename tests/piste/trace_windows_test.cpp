@@ -14,7 +14,7 @@ namespace berm {
 namespace {
 
 constexpr double kWindow_m = 0.6;
-constexpr double kHeight_m = 2.3;
+constexpr double kSensorHeight_m = 2.3;
 
 /// Points of one trace after the other.
 struct MadeTraces {
@@ -26,7 +26,7 @@ struct MadeTraces {
     traces.x.push_back(static_cast<float>(x_m));
     traces.y.push_back(static_cast<float>(y_m));
     traces.z.push_back(static_cast<float>(z_m));
-    traces.range.push_back(static_cast<float>(std::hypot(x_m, y_m, z_m - kHeight_m)));
+    traces.range.push_back(static_cast<float>(std::hypot(x_m, y_m, z_m - kSensorHeight_m)));
     const float before_x = at == 0 ? traces.x[0] : traces.x[at - 1];
     const float before_y = at == 0 ? traces.y[0] : traces.y[at - 1];
     traces.step.push_back(std::hypot(traces.x[at] - before_x, traces.y[at] - before_y));
@@ -50,7 +50,7 @@ struct MadeTraces {
   }
 };
 
-double flat(double /*x_m*/, double /*y_m*/) {
+double flat_trace(double /*x_m*/, double /*y_m*/) {
   return 0.0;
 }
 
@@ -85,7 +85,7 @@ TEST(TraceWindows, HaveTheSlopeOfAPlaneInTheirDirectionAndNoVariance) {
 
 TEST(TraceWindows, LookTheWayTheTraceGoes) {
   MadeTraces made;
-  made.add_line(10.0, 3.0, 2.0, 0.05, 100, flat);
+  made.add_line(10.0, 3.0, 2.0, 0.05, 100, flat_trace);
   const TraceWindows windows = made.cut();
   ASSERT_GT(windows.size(), 5U);
   for (std::size_t i = 0; i < windows.size(); ++i) {
@@ -119,7 +119,7 @@ TEST(TraceWindows, AreAsLongAsAsked) {
   for (const double window_m : {0.4, 0.6, 2.0}) {
     constexpr double kSpacing_m = 0.02;
     MadeTraces made;
-    made.add_line(2.0, 0.0, 0.5, kSpacing_m, 300, flat);
+    made.add_line(2.0, 0.0, 0.5, kSpacing_m, 300, flat_trace);
     const TraceWindows windows = made.cut(window_m);
     ASSERT_GE(windows.size(), 3U);
     for (std::size_t i = 0; i + 1 < windows.size(); ++i) {
@@ -133,7 +133,7 @@ TEST(TraceWindows, AreAsLongAsAsked) {
 TEST(TraceWindows, AreLongerInProportionToTheRangeFarAway) {
   const auto mean_length = [](double range_m) {
     MadeTraces made;
-    made.add_line(range_m, 0.0, 0.5 * std::numbers::pi, 0.02, 1000, flat);
+    made.add_line(range_m, 0.0, 0.5 * std::numbers::pi, 0.02, 1000, flat_trace);
     const TraceWindows windows = made.cut();
     EXPECT_NEAR(windows.length_m[0], windows.nominal_m[0], 0.05) << range_m;
     return double{windows.length_m[0]};
@@ -146,7 +146,7 @@ TEST(TraceWindows, AreLongerInProportionToTheRangeFarAway) {
 
 TEST(TraceWindows, HaveFourPointsAtLeast) {
   MadeTraces sparse;
-  sparse.add_line(10.0, 0.0, 0.3, 1.0, 12, flat);
+  sparse.add_line(10.0, 0.0, 0.3, 1.0, 12, flat_trace);
   const TraceWindows windows = sparse.cut();
   ASSERT_EQ(windows.size(), 3U);
   for (const float length_m : windows.length_m) {
@@ -154,10 +154,10 @@ TEST(TraceWindows, HaveFourPointsAtLeast) {
   }
   MadeTraces short_pieces;
   for (int piece = 0; piece < 10; ++piece) {
-    short_pieces.add_line(10.0 + piece, 0.0, 0.3, 0.05, 3, flat);
+    short_pieces.add_line(10.0 + piece, 0.0, 0.3, 0.05, 3, flat_trace);
   }
   EXPECT_EQ(short_pieces.cut().size(), 0U);
-  short_pieces.add_line(10.0, 5.0, 0.3, 0.05, 4, flat);
+  short_pieces.add_line(10.0, 5.0, 0.3, 0.05, 4, flat_trace);
   EXPECT_EQ(short_pieces.cut().size(), 1U);
 }
 
@@ -187,7 +187,7 @@ TEST(TraceWindows, OfHardlyAnyLengthClaimNoSlope) {
 TEST(TraceWindows, OfOnePointManyTimesAreFinite) {
   for (const double x_m : {0.0, 10.0}) {
     MadeTraces made;
-    made.add_line(x_m, 0.0, 0.0, 0.0, 50, flat);
+    made.add_line(x_m, 0.0, 0.0, 0.0, 50, flat_trace);
     const TraceWindows windows = made.cut();
     ASSERT_EQ(windows.size(), 1U);
     for (const auto* channel : {&windows.x, &windows.y, &windows.z, &windows.along_x, &windows.along_y, &windows.slope,
@@ -200,7 +200,7 @@ TEST(TraceWindows, OfOnePointManyTimesAreFinite) {
 
 TEST(TraceWindows, BelongToTheLastTracesAlone) {
   MadeTraces made;
-  made.add_line(10.0, 0.0, 0.0, 0.05, 100, flat);
+  made.add_line(10.0, 0.0, 0.0, 0.05, 100, flat_trace);
   TraceWindows windows;
   cut_windows(made.traces, kWindow_m, windows);
   const std::size_t count = windows.size();

@@ -4,22 +4,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "berm/core/angle.hpp"
 #include "list_points.hpp"
 #include "piste/made_windows.hpp"
 
 namespace berm {
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
-
-PisteSurface fitted(const TraceWindows& windows) {
+PisteSurface fitted_way(const TraceWindows& windows) {
   PisteSurface surface;
   surface.fit(windows, std::vector<std::uint8_t>(windows.size(), 1), {}, {}, {.height_m = 0.01, .slope = 0.01});
   return surface;
@@ -51,7 +49,7 @@ TEST(SlopeAhead, IsThatInBaseLinkHoweverTheLevelFrameLies) {
     const Pose T_level_base =
         Pose::from_yaw_pitch_roll(*rc::gen::inRange(-180, 181) * kRadPerDeg, *rc::gen::inRange(-15, 16) * kRadPerDeg,
                                   *rc::gen::inRange(-15, 16) * kRadPerDeg, {0.4, -0.3, 0.2});
-    const PisteSurface surface = fitted(windows_on_plane(std::tan(slope_rad), std::tan(fall_rad), T_level_base));
+    const PisteSurface surface = fitted_way(windows_on_plane(std::tan(slope_rad), std::tan(fall_rad), T_level_base));
     const std::optional<SlopeAhead> found = find_slope_ahead(surface, T_level_base.inverse(), 100.0);
     RC_ASSERT(found.has_value());
     RC_ASSERT(std::abs(found->slope_rad - slope_rad) < 2e-3);
@@ -63,7 +61,7 @@ TEST(SlopeAhead, IsThatInBaseLinkHoweverTheLevelFrameLies) {
 }
 
 TEST(SlopeAhead, IsPositiveUphillAndWhereTheRightIsLower) {
-  const PisteSurface surface = fitted(windows_on_plane(0.2, 0.1, {}));
+  const PisteSurface surface = fitted_way(windows_on_plane(0.2, 0.1, {}));
   const std::optional<SlopeAhead> found = find_slope_ahead(surface, {}, 100.0);
   ASSERT_TRUE(found.has_value());
   EXPECT_NEAR(found->slope_rad, std::atan(0.2), 1e-3);
@@ -73,7 +71,7 @@ TEST(SlopeAhead, IsPositiveUphillAndWhereTheRightIsLower) {
 /// P's slope is that between 10 and 40 m, not that under the machine.
 TEST(SlopeAhead, IsThatOfTheStretchAhead) {
   const auto bend = [](double x, double) { return 0.004 * x * x; };
-  const PisteSurface surface = fitted(test::scattered_windows(2000, 3.0, 45.0, 0.6, bend));
+  const PisteSurface surface = fitted_way(test::scattered_windows(2000, 3.0, 45.0, 0.6, bend));
   const std::optional<SlopeAhead> far = find_slope_ahead(surface, {}, 100.0);
   const std::optional<SlopeAhead> near = find_slope_ahead(surface, {}, 20.0);
   ASSERT_TRUE(far.has_value() && near.has_value());
@@ -100,7 +98,7 @@ TEST(SlopeAhead, IsUnknownWhereLittleIsSeen) {
 TEST(SlopeAhead, IsLessCertainTheLessIsSeen) {
   const auto flat = [](double, double) { return 0.0; };
   const auto sigma = [&](int count) {
-    return find_slope_ahead(fitted(test::scattered_windows(count, 3.0, 45.0, 0.6, flat)), {}, 100.0)
+    return find_slope_ahead(fitted_way(test::scattered_windows(count, 3.0, 45.0, 0.6, flat)), {}, 100.0)
         .value_or(SlopeAhead{.slope_sigma_rad = 9.0})
         .slope_sigma_rad;
   };
@@ -138,7 +136,7 @@ TEST(ObstacleAhead, IsFoundWithinHalfAMetre) {
         Pose::from_yaw_pitch_roll(*rc::gen::inRange(-180, 181) * kRadPerDeg, *rc::gen::inRange(-10, 11) * kRadPerDeg,
                                   *rc::gen::inRange(-10, 11) * kRadPerDeg, {0.0, 0.0, 0.3});
     const double x_m = *rc::gen::inRange(101, 9999) * 1e-2;
-    way.surface = fitted(windows_on_plane(0.0, 0.0, way.T_level_base, 100.0));
+    way.surface = fitted_way(windows_on_plane(0.0, 0.0, way.T_level_base, 100.0));
     way.add(x_m, *rc::gen::inRange(-24, 25) * 0.1, *rc::gen::inRange(0, 35) * 0.1);
     way.add(x_m + 0.3, 0.0, 1.0, 1);
     way.add(x_m + 20.0, 0.0, 1.0, 50);
@@ -184,7 +182,7 @@ TEST(ObstacleAhead, IsCountedAcrossTheBorderOfTwoHalfMetres) {
 /// Height counts from the snow there, not from the level of the machine.
 TEST(ObstacleAhead, IsMeasuredFromTheSurface) {
   Way way;
-  way.surface = fitted(windows_on_plane(0.3, 0.0, {}));
+  way.surface = fitted_way(windows_on_plane(0.3, 0.0, {}));
   way.add(20.0, 0.0, 6.0 + 1.0);
   EXPECT_NEAR(way.find().value_or(0.0), 20.0, 0.5);
   Way rope;

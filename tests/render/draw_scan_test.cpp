@@ -16,7 +16,7 @@
 namespace berm {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNanPoint = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr std::array kViews = {DrawView::top, DrawView::side, DrawView::front, DrawView::perspective};
 
@@ -56,7 +56,7 @@ DrawOptions bare(DrawView view = DrawView::top) {
   return {.view = view, .width_px = 200, .height_px = 200, .range_m = 10.0, .point_size_px = 4.0, .frame = false};
 }
 
-Rgb color_of(Label label) {
+Rgb label_color_of(Label label) {
   return label_color(label, Background::dark);
 }
 
@@ -94,18 +94,18 @@ TEST(DrawScan, PutsPointsSeenFromAboveWhereTheyAre) {
                                      {-8.0F, -3.0F, 1.0F, Label::obstacle},
                                      {2.0F, 2.0F, 1.0F, Label::falling_snow}});
   const Image image = draw_scan(cloud.view(), {}, bare());
-  EXPECT_EQ(*image.find(100, 50), color_of(Label::drivable)) << "ahead is up";
-  EXPECT_EQ(*image.find(50, 100), color_of(Label::terrain)) << "left is left";
-  EXPECT_EQ(*image.find(130, 180), color_of(Label::obstacle)) << "behind and right";
-  EXPECT_EQ(*image.find(80, 80), color_of(Label::falling_snow));
-  EXPECT_EQ(find_color(image, color_of(Label::drivable))->pixels, 16) << "4 x 4 pixels";
+  EXPECT_EQ(*image.find(100, 50), label_color_of(Label::drivable)) << "ahead is up";
+  EXPECT_EQ(*image.find(50, 100), label_color_of(Label::terrain)) << "left is left";
+  EXPECT_EQ(*image.find(130, 180), label_color_of(Label::obstacle)) << "behind and right";
+  EXPECT_EQ(*image.find(80, 80), label_color_of(Label::falling_snow));
+  EXPECT_EQ(find_color(image, label_color_of(Label::drivable))->pixels, 16) << "4 x 4 pixels";
 }
 
 TEST(DrawScan, PutsPointsSeenFromTheSideWhereTheyAre) {
   const PointCloud cloud = cloud_of({{5.0F, 3.0F, 0.0F, Label::drivable}, {-5.0F, -3.0F, 2.0F, Label::obstacle}});
   const Image image = draw_scan(cloud.view(), {}, bare(DrawView::side));
-  const auto ahead = find_color(image, color_of(Label::drivable));
-  const auto behind = find_color(image, color_of(Label::obstacle));
+  const auto ahead = find_color(image, label_color_of(Label::drivable));
+  const auto behind = find_color(image, label_color_of(Label::obstacle));
   ASSERT_TRUE(ahead && behind);
   EXPECT_NEAR(ahead->column, 150.0, 1.0);
   EXPECT_NEAR(behind->column, 50.0, 1.0);
@@ -117,9 +117,9 @@ TEST(DrawScan, PutsPointsSeenFromTheSensorWhereTheyAre) {
                                      {10.0F, -5.0F, 0.0F, Label::obstacle},
                                      {10.0F, 0.0F, 3.0F, Label::terrain}});
   const Image image = draw_scan(cloud.view(), {}, bare(DrawView::front));
-  const auto left = find_color(image, color_of(Label::drivable));
-  const auto right = find_color(image, color_of(Label::obstacle));
-  const auto above = find_color(image, color_of(Label::terrain));
+  const auto left = find_color(image, label_color_of(Label::drivable));
+  const auto right = find_color(image, label_color_of(Label::obstacle));
+  const auto above = find_color(image, label_color_of(Label::terrain));
   ASSERT_TRUE(left && right && above);
   EXPECT_LT(left->column, above->column);
   EXPECT_LT(above->column, right->column);
@@ -133,9 +133,9 @@ TEST(DrawScan, PutsWhatIsLookedAtInTheMiddle) {
   const PointCloud cloud =
       cloud_of({{7.0F, -1.0F, 0.5F, Label::drivable}, {7.0F, 3.0F, 0.5F, Label::terrain}, {-30.0F, 0.0F, 0.0F}});
   const Image image = draw_scan(cloud.view(), {}, options);
-  EXPECT_EQ(*image.find(100, 100), color_of(Label::drivable));
-  EXPECT_LT(find_color(image, color_of(Label::terrain))->column, 80.0);
-  EXPECT_FALSE(find_color(image, color_of(Label::obstacle))) << "what is behind the eye is not seen";
+  EXPECT_EQ(*image.find(100, 100), label_color_of(Label::drivable));
+  EXPECT_LT(find_color(image, label_color_of(Label::terrain))->column, 80.0);
+  EXPECT_FALSE(find_color(image, label_color_of(Label::obstacle))) << "what is behind the eye is not seen";
 }
 
 TEST(DrawScan, LooksStraightDown) {
@@ -144,8 +144,8 @@ TEST(DrawScan, LooksStraightDown) {
   options.target_m = {0.0, 0.0, 0.0};
   const Image image = draw_scan(
       cloud_of({{4.0F, 0.0F, 0.0F, Label::drivable}, {0.0F, 4.0F, 0.0F, Label::terrain}}).view(), {}, options);
-  const auto ahead = find_color(image, color_of(Label::drivable));
-  const auto left = find_color(image, color_of(Label::terrain));
+  const auto ahead = find_color(image, label_color_of(Label::drivable));
+  const auto left = find_color(image, label_color_of(Label::terrain));
   ASSERT_TRUE(ahead && left);
   EXPECT_LT(ahead->row, 80.0);
   EXPECT_LT(left->column, 80.0);
@@ -165,8 +165,8 @@ TEST(DrawScan, ShowsTheNearestPointInAnyOrder) {
   for (const Pair& pair : pairs) {
     for (const auto& dots : {std::vector{pair.nearer, pair.farther}, std::vector{pair.farther, pair.nearer}}) {
       const Image image = draw_scan(cloud_of(dots).view(), {}, bare(pair.view));
-      EXPECT_TRUE(find_color(image, color_of(Label::obstacle))) << static_cast<int>(pair.view);
-      EXPECT_FALSE(find_color(image, color_of(Label::drivable))) << static_cast<int>(pair.view);
+      EXPECT_TRUE(find_color(image, label_color_of(Label::obstacle))) << static_cast<int>(pair.view);
+      EXPECT_FALSE(find_color(image, label_color_of(Label::drivable))) << static_cast<int>(pair.view);
     }
   }
 }
@@ -175,17 +175,17 @@ TEST(DrawScan, AppliesTheMount) {
   DrawOptions options = bare();
   options.T_base_sensor = Pose::from_yaw_pitch_roll(1.5707963267948966, 0.0, 0.0, {1.0, 0.0, 2.0});
   const Image image = draw_scan(cloud_of({{5.0F, 0.0F, 0.0F, Label::drivable}}).view(), {}, options);
-  EXPECT_EQ(*image.find(50, 90), color_of(Label::drivable)) << "ahead of the sensor is left of the machine";
+  EXPECT_EQ(*image.find(50, 90), label_color_of(Label::drivable)) << "ahead of the sensor is left of the machine";
 }
 
 TEST(DrawScan, PrefersTheLabelsThatItIsGiven) {
   const PointCloud cloud = cloud_of({{5.0F, 0.0F, 1.0F, Label::drivable}});
   const std::vector<Label> labels = {Label::terrain};
-  EXPECT_EQ(*draw_scan(cloud.view(), labels, bare()).find(100, 50), color_of(Label::terrain));
-  EXPECT_EQ(*draw_scan(cloud.view(), {}, bare()).find(100, 50), color_of(Label::drivable));
+  EXPECT_EQ(*draw_scan(cloud.view(), labels, bare()).find(100, 50), label_color_of(Label::terrain));
+  EXPECT_EQ(*draw_scan(cloud.view(), {}, bare()).find(100, 50), label_color_of(Label::drivable));
   PointsView without = cloud.view();
   without.label = {};
-  EXPECT_EQ(*draw_scan(without, {}, bare()).find(100, 50), color_of(Label::unlabeled));
+  EXPECT_EQ(*draw_scan(without, {}, bare()).find(100, 50), label_color_of(Label::unlabeled));
 }
 
 TEST(DrawScan, ColoursByIntensityAndHeight) {
@@ -210,7 +210,7 @@ TEST(DrawScan, ColoursByIntensityAndHeight) {
 TEST(DrawScan, LeavesOutWhatHasNoPlace) {
   const std::vector<Dot> good = {{5.0F, 0.0F, 1.0F, Label::drivable}, {1.0F, 2.0F, 1.0F}};
   std::vector<Dot> all = good;
-  for (const float odd : {kNan, kInf, -kInf, FLT_MAX, -FLT_MAX, 2e4F}) {
+  for (const float odd : {kNanPoint, kInf, -kInf, FLT_MAX, -FLT_MAX, 2e4F}) {
     all.push_back({odd, 0.0F, 0.0F});
     all.push_back({0.0F, odd, 1.0F});
     all.push_back({1.0F, 1.0F, odd});
@@ -232,7 +232,7 @@ TEST(DrawScan, DrawsOddCloudsInEveryView) {
       {{1.0F, 2.0F, 3.0F}},
       std::vector<Dot>(100, {1.0F, 2.0F, 3.0F}),
       std::vector<Dot>(100, {0.0F, 0.0F, 0.0F}),
-      std::vector<Dot>(100, {kNan, kNan, kNan}),
+      std::vector<Dot>(100, {kNanPoint, kNanPoint, kNanPoint}),
       std::vector<Dot>(100, {kInf, kInf, kInf}),
       std::vector<Dot>(100, {FLT_MAX, -FLT_MAX, FLT_MAX}),
       {{1.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}, {3.0F, 0.0F, 0.0F}, {FLT_MIN, FLT_MIN, FLT_MIN}}};
@@ -267,8 +267,8 @@ TEST(DrawScan, NamesItsClassesInTheLegend) {
   int other = 0;
   for (int row = 0; row < header_px; ++row) {
     for (int column = 0; column < image.width_px(); ++column) {
-      swatch += *image.find(column, row) == color_of(Label::drivable) ? 1 : 0;
-      other += *image.find(column, row) == color_of(Label::obstacle) ? 1 : 0;
+      swatch += *image.find(column, row) == label_color_of(Label::drivable) ? 1 : 0;
+      other += *image.find(column, row) == label_color_of(Label::obstacle) ? 1 : 0;
     }
   }
   EXPECT_GE(swatch, 100);
@@ -299,8 +299,10 @@ TEST(DrawScan, ShadesOnlyWhatLiesBehindAnEdge) {
   options.shading = true;
   const Image shaded = draw_scan(wall.view(), {}, options);
   EXPECT_FALSE(same(flat, shaded));
-  EXPECT_EQ(find_color(flat, color_of(Label::obstacle))->pixels, find_color(shaded, color_of(Label::obstacle))->pixels);
-  EXPECT_LT(find_color(shaded, color_of(Label::drivable))->pixels, find_color(flat, color_of(Label::drivable))->pixels);
+  EXPECT_EQ(find_color(flat, label_color_of(Label::obstacle))->pixels,
+            find_color(shaded, label_color_of(Label::obstacle))->pixels);
+  EXPECT_LT(find_color(shaded, label_color_of(Label::drivable))->pixels,
+            find_color(flat, label_color_of(Label::drivable))->pixels);
 }
 
 TEST(DrawScan, DrawsAMillionPointsInASecond) {
@@ -318,7 +320,7 @@ TEST(DrawScan, DrawsAMillionPointsInASecond) {
     const std::clock_t start = std::clock();
     const Image image = draw_scan(cloud.view(), {}, {.view = view});
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    EXPECT_TRUE(find_color(image, color_of(Label::drivable)));
+    EXPECT_TRUE(find_color(image, label_color_of(Label::drivable)));
     EXPECT_LT(seconds, kSlowBuild ? 60.0 : 1.0) << static_cast<int>(view);
   }
 }
@@ -383,7 +385,7 @@ TEST(DrawScan, LinesLieOverThePointsAndInTheLegendOnce) {
   EXPECT_GT(brightness(70, 75), 200);
   EXPECT_LT(brightness(70, 90), 100);
   EXPECT_LT(brightness(130, 80), 100) << "a line needs two vertices";
-  options.lines[0].vertices_m.push_back({kNan, 0.0, 0.0});
+  options.lines[0].vertices_m.push_back({kNanPoint, 0.0, 0.0});
   EXPECT_EQ(draw_scan(cloud.view(), {}, options).width_px(), 200);
 }
 
@@ -399,8 +401,8 @@ TEST(DrawScan, LookingAheadLeavesOutWhatIsBehind) {
     const auto has = [&image](Rgb color) {
       return std::find(image.pixels().begin(), image.pixels().end(), color) != image.pixels().end();
     };
-    EXPECT_TRUE(has(color_of(Label::obstacle)));
-    EXPECT_FALSE(has(color_of(Label::terrain)));
+    EXPECT_TRUE(has(label_color_of(Label::obstacle)));
+    EXPECT_FALSE(has(label_color_of(Label::terrain)));
   }
 }
 

@@ -1,9 +1,9 @@
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "berm/sim/motion.hpp"
 
@@ -11,8 +11,6 @@ namespace berm::sim {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 /// Stands still for `seconds`.
 Trajectory standing(int seconds) {

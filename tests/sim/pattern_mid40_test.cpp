@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/io/pcd.hpp"
 #include "berm/sim/sensor.hpp"
 #include "sensor_files.hpp"
@@ -18,7 +18,6 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kFieldOfView_deg = 38.4;
 /// Boresight of this sensor in its own frame: where the rosette has its middle.
 constexpr std::complex<double> kMiddle_deg{-0.396, -0.497};

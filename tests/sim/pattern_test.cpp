@@ -9,13 +9,13 @@
 
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/sim/sensor.hpp"
 #include "sensor_files.hpp"
 
 namespace berm::sim {
 namespace {
 
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr std::size_t kFarScan = 100'000;
 
 double angle_to_boresight_deg(const Beams& beams, std::size_t i) {

@@ -54,7 +54,7 @@ double sum(const std::array<double, kBins>& values) {
   return total;
 }
 
-Recorded recorded(const std::filesystem::path& folder) {
+Recorded recorded_weather(const std::filesystem::path& folder) {
   Recorded result;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "velodyne")) {
     const PointCloud cloud(read_kitti_bin(entry.path(), IntensityScale::byte).channels);
@@ -85,7 +85,7 @@ Recorded recorded(const std::filesystem::path& folder) {
 
 TEST(SnowfallOfWads, RangesOfFlakesAreAlike) {
   BERM_NEED_DATA(folder, "wads36");
-  const Recorded real = recorded(folder);
+  const Recorded real = recorded_weather(folder);
   SnowfallConfig config;
   config.flakes_per_m3 = 532.0;
   const Weather weather(config, vls128(), {}, 1);
@@ -94,13 +94,13 @@ TEST(SnowfallOfWads, RangesOfFlakesAreAlike) {
     const auto from_m = static_cast<double>(bin);
     made[bin] = (weather.expected_flakes(from_m + 1.0) - weather.expected_flakes(from_m)) * real.reaching[bin];
   }
-  std::printf("share of beams with a flake: recorded %.4f, simulated %.4f\n", sum(real.flakes) / real.beams,
+  std::printf("share of beams with a flake: recorded_weather %.4f, simulated %.4f\n", sum(real.flakes) / real.beams,
               sum(made) / real.beams);
   double apart = 0.0;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const double real_share = real.flakes[bin] / sum(real.flakes);
     const double made_share = made[bin] / sum(made);
-    std::printf("%2zu..%2zu m: recorded %.4f, simulated %.4f\n", bin, bin + 1, real_share, made_share);
+    std::printf("%2zu..%2zu m: recorded_weather %.4f, simulated %.4f\n", bin, bin + 1, real_share, made_share);
     EXPECT_NEAR(made_share, real_share, 0.012);
     apart += std::abs(made_share - real_share) / 2.0;
   }
@@ -110,7 +110,7 @@ TEST(SnowfallOfWads, RangesOfFlakesAreAlike) {
 
 TEST(SnowfallOfWads, FlakesAreAsDark) {
   BERM_NEED_DATA(folder, "wads36");
-  const Recorded real = recorded(folder);
+  const Recorded real = recorded_weather(folder);
   SnowfallConfig config;
   config.flakes_per_m3 = 532.0;
   const Weather weather(config, vls128(), {}, 1);
@@ -130,7 +130,7 @@ TEST(SnowfallOfWads, FlakesAreAsDark) {
     }
   }
   const double flakes = sum(real.flakes);
-  std::printf("intensity 0: recorded %.3f, simulated %.3f; 1 to 4: recorded %.3f, simulated %.3f\n",
+  std::printf("intensity 0: recorded_weather %.3f, simulated %.3f; 1 to 4: recorded_weather %.3f, simulated %.3f\n",
               real.black / flakes, black / echoes, real.dim / flakes, dim / echoes);
   EXPECT_NEAR(black / echoes, real.black / flakes, 0.03);
   EXPECT_NEAR(dim / echoes, real.dim / flakes, 0.03);

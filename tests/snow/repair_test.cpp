@@ -14,7 +14,7 @@
 namespace berm {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNanRepaired = std::numeric_limits<float>::quiet_NaN();
 
 struct Repaired {
   std::vector<float> x;
@@ -45,18 +45,19 @@ TEST(SeriesRepair, PointsOfAGapAreEquallySpaced) {
 }
 
 TEST(SeriesRepair, GapsAtTheEndsRepeatTheNeighbour) {
-  const Repaired r = repair({0, 3, 5, 7, 2, kNan}, {0, 1, 0, 0, 1, 0});
+  const Repaired r = repair({0, 3, 5, 7, 2, kNanRepaired}, {0, 1, 0, 0, 1, 0});
   EXPECT_EQ(r.x, (std::vector<float>{5, 5, 5, 7, 7, 7}));
   EXPECT_EQ(r.interpolated, (std::vector<int>{1, 1, 0, 0, 1, 1}));
 }
 
 TEST(SeriesRepair, NanAndAbsurdPointsAreGaps) {
-  const Repaired r = repair({1, kNan, 3, std::numeric_limits<float>::infinity(), 5, 1e9F, 7}, {0, 0, 0, 0, 0, 0, 0});
+  const Repaired r =
+      repair({1, kNanRepaired, 3, std::numeric_limits<float>::infinity(), 5, 1e9F, 7}, {0, 0, 0, 0, 0, 0, 0});
   EXPECT_EQ(r.x, (std::vector<float>{1, 2, 3, 4, 5, 6, 7}));
 }
 
 TEST(SeriesRepair, WithoutAPointToGoByThereAreZeros) {
-  const Repaired r = repair({0, 4, kNan}, {0, 1, 0});
+  const Repaired r = repair({0, 4, kNanRepaired}, {0, 1, 0});
   EXPECT_EQ(r.x, (std::vector<float>{0, 0, 0}));
   EXPECT_EQ(r.interpolated, (std::vector<int>{1, 1, 1}));
   EXPECT_TRUE(repair({}, {}).x.empty());

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "berm/core/angle.hpp"
+
 namespace berm::test {
 namespace {
 
@@ -107,7 +109,6 @@ bool is_sound(const SnowResult& result, const PointsView& points) {
 }
 
 SnowyScan turned(const SnowyScan& scan, double yaw_deg, double pitch_deg, double roll_deg) {
-  constexpr double kRadPerDeg = std::numbers::pi / 180.0;
   const Pose turn = Pose::from_yaw_pitch_roll(yaw_deg * kRadPerDeg, pitch_deg * kRadPerDeg, roll_deg * kRadPerDeg,
                                               Eigen::Vector3d::Zero());
   SnowyScan result = scan;

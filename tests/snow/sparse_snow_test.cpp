@@ -23,7 +23,7 @@ using test::MadeScan;
 using test::SnowyScan;
 using test::World;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNanPoint = std::numeric_limits<float>::quiet_NaN();
 
 TEST(SparseSnow, FindsFlakesOfEveryDensityWithEverySensor) {
   SparseSnow snow({});
@@ -45,7 +45,7 @@ TEST(SparseSnow, FindsFlakesWithoutIntensity) {
     const MadeScan scan = lookout.look(test::made_street(1));
     for (const double share : {0.05, 0.12}) {
       SnowyScan snowy = let_it_snow(scan, {.share = share}, 12);
-      for (const float value : {kNan, 0.0F, 77.0F}) {
+      for (const float value : {kNanPoint, 0.0F, 77.0F}) {
         std::fill(snowy.channels.intensity.begin(), snowy.channels.intensity.end(), value);
         const SnowResult result = snow.process(snowy.view(), {});
         EXPECT_TRUE(result.limits.no_intensity);
@@ -161,7 +161,7 @@ TEST(SparseSnow, SparesDarkGroundAndRockInSnowfall) {
 TEST(SparseSnow, OnlyNoReturnsAndNanAreNoFlakesAndAreReported) {
   SparseSnow snow({});
   const std::vector<float> nothing(500, 0.0F);
-  const std::vector<float> nan(500, kNan);
+  const std::vector<float> nan(500, kNanPoint);
   for (const std::vector<float>& values : {nothing, nan}) {
     const SnowResult result = snow.process({.x = values, .y = values, .z = values, .intensity = nothing}, {});
     EXPECT_EQ(result.count, 0U);
@@ -225,7 +225,7 @@ TEST(SparseSnow, NanAmongThePointsChangesNothingElse) {
   std::mt19937 random(1);
   for (std::size_t i = 0; i < scan.is_flake.size(); ++i) {
     if (random() % 10 == 0) {
-      scan.channels.x[i] = random() % 2 == 0 ? kNan : std::numeric_limits<float>::infinity();
+      scan.channels.x[i] = random() % 2 == 0 ? kNanPoint : std::numeric_limits<float>::infinity();
       scan.is_flake[i] = 0;
     }
   }

@@ -7,12 +7,13 @@
 #include <random>
 #include <utility>
 
+#include "berm/core/angle.hpp"
+
 namespace berm::test {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
 /// Range to the terrain: steps no longer than the height above it allows for slopes up to 60 deg, then bisection.

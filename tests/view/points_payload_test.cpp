@@ -13,7 +13,7 @@ namespace berm {
 namespace {
 
 template <typename Number>
-Number at(const std::string& bytes, std::size_t offset) {
+Number number_at(const std::string& bytes, std::size_t offset) {
   Number value{};
   std::memcpy(&value, bytes.data() + offset, sizeof(value));
   return value;
@@ -39,13 +39,13 @@ TEST(PointsPayload, HoldsSixteenBytesAPointInTheFrameOfTheBase) {
 
   ASSERT_EQ(payload.size(), 16U + 3U * 16U);
   EXPECT_EQ(payload.substr(0, 4), "BRM1");
-  EXPECT_EQ(at<std::uint32_t>(payload, 4), 3U);
-  EXPECT_EQ(at<float>(payload, 8), 0.0F);
-  EXPECT_EQ(at<std::uint32_t>(payload, 12), 15U);
+  EXPECT_EQ(number_at<std::uint32_t>(payload, 4), 3U);
+  EXPECT_EQ(number_at<float>(payload, 8), 0.0F);
+  EXPECT_EQ(number_at<std::uint32_t>(payload, 12), 15U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(at<float>(payload, 16 + 4 * i), 0.0F, 1e-6F);
-    EXPECT_NEAR(at<float>(payload, 28 + 4 * i), static_cast<float>(i + 1), 1e-6F);
-    EXPECT_NEAR(at<float>(payload, 40 + 4 * i), 2.5F, 1e-6F);
+    EXPECT_NEAR(number_at<float>(payload, 16 + 4 * i), 0.0F, 1e-6F);
+    EXPECT_NEAR(number_at<float>(payload, 28 + 4 * i), static_cast<float>(i + 1), 1e-6F);
+    EXPECT_NEAR(number_at<float>(payload, 40 + 4 * i), 2.5F, 1e-6F);
   }
   EXPECT_EQ(payload.substr(52, 3), std::string("\0\x80\xFF", 3));
   EXPECT_EQ(payload.substr(55, 3), std::string("\3\4\5", 3));
@@ -55,10 +55,10 @@ TEST(PointsPayload, HoldsSixteenBytesAPointInTheFrameOfTheBase) {
 
 TEST(PointsPayload, SaysWhichChannelsAreThere) {
   PointChannels channels = three_points();
-  EXPECT_EQ(at<std::uint32_t>(make_points_payload(PointCloud(channels).view(), {}), 12), 0U);
+  EXPECT_EQ(number_at<std::uint32_t>(make_points_payload(PointCloud(channels).view(), {}), 12), 0U);
   channels.time = {0.0F, 0.0F, 0.0F};
   const std::string payload = make_points_payload(PointCloud(channels).view(), {});
-  EXPECT_EQ(at<std::uint32_t>(payload, 12), std::uint32_t{kPayloadTime});
+  EXPECT_EQ(number_at<std::uint32_t>(payload, 12), std::uint32_t{kPayloadTime});
   EXPECT_EQ(payload.substr(52), std::string(12, '\0'));
 }
 
@@ -73,8 +73,8 @@ TEST(PointsPayload, LeavesOutWhatCannotBeDrawn) {
   channels.intensity = {1.0F, 1.0F, 1.0F, 1.0F, 1.0F, kNan};
   const std::string payload = make_points_payload(PointCloud(channels).view(), {});
   ASSERT_EQ(payload.size(), 32U);
-  EXPECT_EQ(at<float>(payload, 16), 4.0F);
-  EXPECT_EQ(at<float>(payload, 24), 6.0F);
+  EXPECT_EQ(number_at<float>(payload, 16), 4.0F);
+  EXPECT_EQ(number_at<float>(payload, 24), 6.0F);
   EXPECT_EQ(payload[28], '\0');
   EXPECT_EQ(make_points_payload(PointsView(), {}).size(), 16U);
 }

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::json;
 
 template <typename Number>
-Number at(const std::string& bytes, std::size_t offset) {
+Number entry_at(const std::string& bytes, std::size_t offset) {
   Number value{};
   std::memcpy(&value, bytes.data() + offset, sizeof(value));
   return value;
@@ -79,12 +79,12 @@ TEST_F(ViewApiTest, ListsTheScansOfARun) {
   ViewApi api = open({"out"});
   const std::string& table = *ask(api, "/api/runs/0/scans").body;
   ASSERT_EQ(table.size(), 4U + 3U * kRowBytes);
-  EXPECT_EQ(at<std::uint32_t>(table, 0), 3U);
+  EXPECT_EQ(entry_at<std::uint32_t>(table, 0), 3U);
   const std::size_t second = 4 + kRowBytes;
-  EXPECT_EQ(at<std::int64_t>(table, second), 200'000'000);
-  EXPECT_EQ(at<std::uint32_t>(table, second + 8), test::kMadePoints);
-  EXPECT_EQ(at<float>(table, second + 12), 2.0F);
-  EXPECT_EQ(at<float>(table, second + 36), 1.0F);
+  EXPECT_EQ(entry_at<std::int64_t>(table, second), 200'000'000);
+  EXPECT_EQ(entry_at<std::uint32_t>(table, second + 8), test::kMadePoints);
+  EXPECT_EQ(entry_at<float>(table, second + 12), 2.0F);
+  EXPECT_EQ(entry_at<float>(table, second + 36), 1.0F);
   EXPECT_EQ(table[4 + 40], 1);                  // whole
   EXPECT_EQ(table[second + 40], 2);             // degraded
   EXPECT_EQ(table[4 + 2 * kRowBytes + 40], 3);  // skipped
@@ -94,9 +94,9 @@ TEST_F(ViewApiTest, ListsTheScansOfARecordingWithoutPoses) {
   ViewApi api = open({"recording"});
   const std::string& table = *ask(api, "/api/runs/0/scans").body;
   ASSERT_EQ(table.size(), 4U + 4U * kRowBytes);
-  EXPECT_EQ(at<std::uint32_t>(table, 4 + 8), test::kMadePoints);
+  EXPECT_EQ(entry_at<std::uint32_t>(table, 4 + 8), test::kMadePoints);
   for (std::size_t i = 0; i < 7; ++i) {
-    EXPECT_TRUE(std::isnan(at<float>(table, 4 + 12 + 4 * i)));
+    EXPECT_TRUE(std::isnan(entry_at<float>(table, 4 + 12 + 4 * i)));
   }
   EXPECT_EQ(table[4 + 40], 0);
 }
@@ -105,12 +105,12 @@ TEST_F(ViewApiTest, ServesPointsWithTheLabelsOfTheRun) {
   ViewApi api = open({"out"});
   const std::string& points = *ask(api, "/api/runs/0/scans/0").body;
   ASSERT_EQ(points.size(), 16U + 16U * test::kMadeReturns);
-  EXPECT_EQ(at<std::uint32_t>(points, 4), test::kMadeReturns);
-  EXPECT_EQ(at<std::uint32_t>(points, 12), std::uint32_t{kPayloadIntensity} | kPayloadLabel);
+  EXPECT_EQ(entry_at<std::uint32_t>(points, 4), test::kMadeReturns);
+  EXPECT_EQ(entry_at<std::uint32_t>(points, 12), std::uint32_t{kPayloadIntensity} | kPayloadLabel);
   const PointCloud cloud = test::made_cloud(1, test::kMadePoints);
-  EXPECT_EQ(at<float>(points, 16), cloud.view().x[0]);
+  EXPECT_EQ(entry_at<float>(points, 16), cloud.view().x[0]);
   // The mount lifts the sensor by 1.5 m.
-  EXPECT_NEAR(at<float>(points, 16 + 8 * test::kMadeReturns), cloud.view().z[0] + 1.5F, 1e-6F);
+  EXPECT_NEAR(entry_at<float>(points, 16 + 8 * test::kMadeReturns), cloud.view().z[0] + 1.5F, 1e-6F);
   const std::string labels = points.substr(16 + 13 * test::kMadeReturns, test::kMadeReturns);
   EXPECT_EQ(labels, std::string(test::kMadeReturns, static_cast<char>(Label::obstacle)));
   // The same scan from the cache.
@@ -120,15 +120,15 @@ TEST_F(ViewApiTest, ServesPointsWithTheLabelsOfTheRun) {
 TEST_F(ViewApiTest, ServesAScanWithoutLabelsWhereTheyAreMissingOrOfAnother) {
   test::spill(folder_ / "out/labels/000002.label", "12345678");
   ViewApi api = open({"out"});
-  EXPECT_EQ(at<std::uint32_t>(*ask(api, "/api/runs/0/scans/1").body, 12), std::uint32_t{kPayloadIntensity});
-  EXPECT_EQ(at<std::uint32_t>(*ask(api, "/api/runs/0/scans/2").body, 12), std::uint32_t{kPayloadIntensity});
+  EXPECT_EQ(entry_at<std::uint32_t>(*ask(api, "/api/runs/0/scans/1").body, 12), std::uint32_t{kPayloadIntensity});
+  EXPECT_EQ(entry_at<std::uint32_t>(*ask(api, "/api/runs/0/scans/2").body, 12), std::uint32_t{kPayloadIntensity});
 }
 
 TEST_F(ViewApiTest, ServesTrajectoryEdgesAndLabels) {
   ViewApi api = open({"out", "recording"});
   const std::string& poses = *ask(api, "/api/runs/0/trajectory").body;
   ASSERT_EQ(poses.size(), 4U + 3U * kRowBytes);
-  EXPECT_EQ(at<float>(poses, 4 + 2 * kRowBytes + 12), 4.0F);
+  EXPECT_EQ(entry_at<float>(poses, 4 + 2 * kRowBytes + 12), 4.0F);
   const Json edges = Json::parse(*ask(api, "/api/runs/0/edges").body);
   ASSERT_EQ(edges["features"].size(), 2U);
   EXPECT_EQ(edges["truth"], false);
@@ -158,9 +158,9 @@ TEST_F(ViewApiTest, ServesTheVoxelsThatMayBeEdge) {
   EXPECT_EQ(Json::parse(*ask(api, "/api/runs").body)[0]["layers"]["octree"], true);
   const std::string& voxels = *ask(api, "/api/runs/0/octree").body;
   ASSERT_EQ(voxels.size(), 4U + 2U * 20U);
-  EXPECT_EQ(at<std::uint32_t>(voxels, 0), 2U);
-  EXPECT_EQ(at<float>(voxels, 4), 10.25F);
-  EXPECT_EQ(at<float>(voxels, 4 + 12), 0.5F);
+  EXPECT_EQ(entry_at<std::uint32_t>(voxels, 0), 2U);
+  EXPECT_EQ(entry_at<float>(voxels, 4), 10.25F);
+  EXPECT_EQ(entry_at<float>(voxels, 4 + 12), 0.5F);
   EXPECT_EQ(voxels[4 + 16], 0);
   EXPECT_EQ(voxels[24 + 16], 1);
   EXPECT_NEAR(static_cast<std::uint8_t>(voxels[4 + 17]), 0.7 * 255.0, 1.0);
@@ -176,8 +176,8 @@ TEST_F(ViewApiTest, PositionsOfFarWorldsAreRelativeToASharedOrigin) {
   EXPECT_EQ(runs[1]["origin"], runs[2]["origin"]);
   EXPECT_EQ(runs[1]["origin"][0], 500'000.0);
   const std::string& poses = *ask(api, "/api/runs/1/trajectory").body;
-  EXPECT_EQ(at<float>(poses, 4 + 12), 0.25F);
-  EXPECT_EQ(at<float>(*ask(api, "/api/runs/2/trajectory").body, 4 + 12), 100.25F);
+  EXPECT_EQ(entry_at<float>(poses, 4 + 12), 0.25F);
+  EXPECT_EQ(entry_at<float>(*ask(api, "/api/runs/2/trajectory").body, 4 + 12), 100.25F);
 }
 
 TEST_F(ViewApiTest, RefusesWhatIsNotThere) {

@@ -33,6 +33,16 @@ struct TrajectoryEvaluation {
   std::vector<RelativeError> relative;
 };
 
+/// Poses in a saved map against truth in the same world: as they are, nothing is aligned.
+struct LocalizationEvaluation {
+  std::size_t poses = 0;  ///< located scans for which truth is known
+  double rmse_m = 0.0;
+  double max_m = 0.0;
+  double rmse_deg = 0.0;
+  double max_deg = 0.0;
+  std::optional<double> ate_rmse_m;  ///< aligned, as for the trajectory: where the map lies elsewhere than truth
+};
+
 /// A scan that has truth and output, but could not be judged.
 struct FailedScan {
   std::string name;
@@ -47,6 +57,7 @@ struct Evaluation {
   LabelEvaluation labels;             ///< over all judged scans: counts added up
   std::vector<ScanEvaluation> scans;  ///< in order, if asked for
   std::optional<TrajectoryEvaluation> trajectory;
+  std::optional<LocalizationEvaluation> localization;
   std::optional<EdgeScore> edges;
   std::map<std::string, std::string> left_out;  ///< metric and why it is not there
   std::vector<std::string> notes;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "scenery.hpp"
+
 namespace berm {
 namespace {
 
@@ -13,11 +15,6 @@ namespace {
 constexpr double kEdgeStep = 0.1;
 /// Times beyond this are no times within a scan.
 constexpr double kLongestScan_s = 10.0;
-
-/// Falling snow, no-returns and what nobody labelled are never features.
-bool is_scenery(Label label) {
-  return label == Label::drivable || label == Label::terrain || label == Label::obstacle;
-}
 
 FeatureClass class_of(Label label, bool edge, bool with_labels) {
   if (with_labels && label == Label::drivable) {

@@ -10,7 +10,7 @@ constexpr std::size_t kNeighbours = 5;
 /// Points of a leaf of the trees.
 constexpr std::size_t kLeaf = 10;
 /// The map is cut every so many scans.
-constexpr std::size_t kCutEvery = 10;
+constexpr std::size_t kFeatureCutEvery = 10;
 
 /// What nanoflann asks of a set of points.
 struct Means {
@@ -92,7 +92,7 @@ void FeatureMap::add(const Eigen::Vector3d& world_m, FeatureClass kind, std::siz
 void FeatureMap::update(const Eigen::Vector3d& center_m, std::size_t scan) {
   const auto keep = static_cast<std::size_t>(config_.keep_scans);
   for (const auto& layer : layers_) {
-    if (scan % kCutEvery == 0) {
+    if (scan % kFeatureCutEvery == 0) {
       layer->points.cut(center_m, config_.keep_m, scan > keep ? scan - keep : 0);
     }
     layer->indexed = layer->points.means();

@@ -19,7 +19,7 @@ namespace {
 /// LOAM-Livox matches with nothing less in its map.
 constexpr std::size_t kLeastMapPlanes = 50;
 /// Below this share of the residuals across it, a direction is held by noise alone: ours.
-constexpr double kWeak = 0.01;
+constexpr double kWeakDirection = 0.01;
 /// Poses closer than this in time tell no speed.
 constexpr double kShortest_s = 1e-3;
 /// Of a pose that is only that of the scan before: ours.
@@ -69,7 +69,7 @@ Matrix6d covariance_of_lost() {
   return covariance;
 }
 
-double last_time_s(const std::vector<Feature>& features) {
+double last_feature_s(const std::vector<Feature>& features) {
   double last_s = 0.0;
   for (const Feature& feature : features) {
     last_s = std::max(last_s, feature.time_s);
@@ -138,14 +138,14 @@ Displacement FeatureOdometry::State::match(const Piece& piece, double step_s, Od
     result.covariance = covariance_of_lost();
     return Displacement::Zero();
   }
-  result.health = std::max(result.health, found.weakest < kWeak ? OdometryHealth::weak : OdometryHealth::good);
+  result.health = std::max(result.health, found.weakest < kWeakDirection ? OdometryHealth::weak : OdometryHealth::good);
   result.covariance = turned(found.covariance, piece.before.T_world_base);
   return found.displacement;
 }
 
 OdometryResult FeatureOdometry::State::add(const OdometryInput& input) {
   const std::vector<Feature>& features = finder.process(input, config);
-  OdometryResult result{.duration_s = last_time_s(features)};
+  OdometryResult result{.duration_s = last_feature_s(features)};
   const bool has_map = map.planes() >= kLeastMapPlanes;
   result.health = has_map ? OdometryHealth::good : OdometryHealth::starting;
   const int pieces = result.duration_s > 0.0 ? config.pieces : 1;

@@ -6,10 +6,10 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kCandidates = 200;
+constexpr std::size_t kMostWindows = 200;
 constexpr std::size_t kJudges = 2000;
 /// What an odometry and the fit of a window are off after a way, at most; and how much the fixes are.
-constexpr double kDriftShare = 0.03;
+constexpr double kRingDriftShare = 0.03;
 constexpr double kSigmas = 5.0;
 
 }  // namespace
@@ -19,7 +19,7 @@ std::optional<Alignment> align_first(std::span<const SeenFix> seen, std::span<co
   if (seen.empty()) {
     return std::nullopt;
   }
-  const std::size_t window_stride = std::max<std::size_t>(1, windows.size() / kCandidates);
+  const std::size_t window_stride = std::max<std::size_t>(1, windows.size() / kMostWindows);
   const std::size_t judge_stride = std::max<std::size_t>(1, seen.size() / kJudges);
   std::optional<std::size_t> best;
   double best_votes = -1.0;
@@ -30,7 +30,7 @@ std::optional<Alignment> align_first(std::span<const SeenFix> seen, std::span<co
       const double way_m = std::abs(path_m[seen[i].step] - path_m[middle.step]);
       const double off_m = (fits[w].T_world_odom * seen[i].antenna_odom_m - seen[i].position_m).norm();
       // The nearer, the less the odometry excuses: otherwise far fixes would vote for anything.
-      const double bound_m = kSigmas * seen[i].sigma_m + 0.05 + kDriftShare * way_m;
+      const double bound_m = kSigmas * seen[i].sigma_m + 0.05 + kRingDriftShare * way_m;
       votes += off_m < bound_m ? 1.0 : 0.0;
     }
     if (votes > best_votes) {

@@ -12,7 +12,7 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t kFewestPoints = 200;
+constexpr std::size_t kFewestMatched = 200;
 /// Starts around the guess: so far apart, with so many points each.
 constexpr double kStart_m = 1.0;
 constexpr std::size_t kStartPoints = 250;
@@ -26,8 +26,8 @@ constexpr double kGateShare = 0.85;
 /// Neighbouring points err together: so many count for one.
 constexpr double kPointsPerFact = 20.0;
 /// What a match is off even where everything fits, one sigma.
-constexpr double kLeast_m = 0.03;
-constexpr double kLeast_rad = 0.002;
+constexpr double kLeastSigma_m = 0.03;
+constexpr double kLeastSigma_rad = 0.002;
 /// Two matches that fit alike, this far apart in sigmas of their own: nothing tells which is right.
 constexpr double kAlike = 0.9;
 constexpr double kAlikeSigmas = 4.0;
@@ -167,7 +167,7 @@ class Matcher {
       }
     }
     result.overlap = static_cast<double>(met) / static_cast<double>(points_.size());
-    if (result.overlap < config_.closure_overlap || distances_m.size() < kFewestPoints) {
+    if (result.overlap < config_.closure_overlap || distances_m.size() < kFewestMatched) {
       result.fate = ClosureFate::too_little;
       return;
     }
@@ -180,8 +180,8 @@ class Matcher {
     least.diagonal() << 0.01, 0.01, 0.01, 1.0, 1.0, 1.0;
     result.covariance = (information + least).ldlt().solve(Matrix6d::Identity());
     result.covariance = 0.5 * (result.covariance + result.covariance.transpose()).eval();
-    result.covariance.diagonal().head<3>().array() += kLeast_m * kLeast_m;
-    result.covariance.diagonal().tail<3>().array() += kLeast_rad * kLeast_rad;
+    result.covariance.diagonal().head<3>().array() += kLeastSigma_m * kLeastSigma_m;
+    result.covariance.diagonal().tail<3>().array() += kLeastSigma_rad * kLeastSigma_rad;
   }
 
   const PlaceSurfaces& first_;
@@ -205,7 +205,7 @@ PlaceMatch match_places(const PlaceSurfaces& first, std::span<const Eigen::Vecto
                         const PoseGraphConfig& config) {
   PlaceMatch best;
   best.T_first_second = guess.T_first_second;
-  if (points.size() < kFewestPoints) {
+  if (points.size() < kFewestMatched) {
     return best;
   }
   const Matcher matcher(first, points, config);

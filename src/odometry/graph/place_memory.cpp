@@ -6,37 +6,26 @@
 #include "berm/geometry/voxel_hash.hpp"
 #include "berm/odometry/pose_graph_places.hpp"
 #include "closure_search.hpp"
+#include "scenery.hpp"
 
 namespace berm {
 namespace {
 
 /// Way between scans that are kept, at first; it doubles whenever more points would be kept than this: 48 MB.
-constexpr double kApart_m = 2.0;
-constexpr double kApart_rad = 0.5;
-constexpr std::size_t kMostPoints = 4'000'000;
+constexpr double kScansApart_m = 2.0;
+constexpr double kScansApart_rad = 0.5;
+constexpr std::size_t kMostKeptPoints = 4'000'000;
 /// Of a scan.
 constexpr std::size_t kScanPoints = 1500;
 constexpr double kSpacing_m = 0.25;
 constexpr double kMinRange_m = 1.5;
 constexpr double kMaxRange_m = 40.0;
 
-bool is_scenery(Label label) {
-  return label == Label::drivable || label == Label::terrain || label == Label::obstacle;
-}
-
-double last_time_s(std::span<const float> times_s) {
-  float last_s = 0.0F;
-  for (const float time_s : times_s) {
-    last_s = std::max(last_s, time_s);  // false for NaN
-  }
-  return std::isfinite(last_s) ? static_cast<double>(last_s) : 0.0;
-}
-
 }  // namespace
 
 struct PlaceMemory::State {
   std::vector<SeenScan> scans;
-  double apart_m = kApart_m;
+  double apart_m = kScansApart_m;
   std::size_t points = 0;
   std::size_t session = 0;
   VoxelHash<char> met{kSpacing_m};
@@ -50,7 +39,7 @@ struct PlaceMemory::State {
     }
     const Pose step = scans.back().T_odom_base.inverse() * result.T_world_begin;
     return step.translation_m().norm() >= apart_m ||
-           Eigen::Quaterniond::Identity().angularDistance(step.rotation()) >= kApart_rad;
+           Eigen::Quaterniond::Identity().angularDistance(step.rotation()) >= kScansApart_rad;
   }
 
   [[nodiscard]] std::vector<Eigen::Vector3f> thin(const OdometryInput& input, const OdometryResult& result) {
@@ -106,7 +95,7 @@ void PlaceMemory::add(std::size_t step, const OdometryInput& input, const Odomet
   state_->points += scan.points_m.size();
   state_->scans.push_back(std::move(scan));
   state_->session = result.session;
-  if (state_->points > kMostPoints) {
+  if (state_->points > kMostKeptPoints) {
     state_->keep_every_other();
   }
 }

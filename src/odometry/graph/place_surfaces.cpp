@@ -11,13 +11,13 @@ namespace {
 constexpr double kFine_m = 0.6;
 constexpr double kCoarse_m = 1.8;
 constexpr double kGround_m = 1.5;
-constexpr double kFewestPoints = 6.0;
+constexpr double kFewestOfVoxel = 6.0;
 /// Noise of a point across its surface, and of one in a crown or a net.
 constexpr double kPlaneNoise_m = 0.03;
-constexpr double kCloudNoise_m = 0.1;
+constexpr double kCloudSigma_m = 0.1;
 /// A plane is so wide, in shares of the voxel, and so thin, in shares of its width; one sigma each.
-constexpr double kPlaneWidth = 0.12;
-constexpr double kPlaneThickness = 0.25;
+constexpr double kLeastPlaneWidth = 0.12;
+constexpr double kMostPlaneThickness = 0.25;
 
 PlaceSurface surface_of(const Eigen::Vector3d& mean_m, const Eigen::Matrix3d& covariance_m2, double voxel_m) {
   PlaceSurface surface;
@@ -26,13 +26,13 @@ PlaceSurface surface_of(const Eigen::Vector3d& mean_m, const Eigen::Matrix3d& co
   axes.computeDirect(covariance_m2);
   const double thin_m2 = std::max(axes.eigenvalues()[0], 0.0);
   const double wide_m2 = axes.eigenvalues()[1];
-  const bool is_plane =
-      wide_m2 > kPlaneWidth * kPlaneWidth * voxel_m * voxel_m && thin_m2 < kPlaneThickness * kPlaneThickness * wide_m2;
+  const bool is_plane = wide_m2 > kLeastPlaneWidth * kLeastPlaneWidth * voxel_m * voxel_m &&
+                        thin_m2 < kMostPlaneThickness * kMostPlaneThickness * wide_m2;
   if (is_plane) {
     surface.normal = axes.eigenvectors().col(0);
     surface.information = surface.normal * surface.normal.transpose() / (thin_m2 + kPlaneNoise_m * kPlaneNoise_m);
   } else {
-    surface.information = (covariance_m2 + kCloudNoise_m * kCloudNoise_m * Eigen::Matrix3d::Identity()).inverse();
+    surface.information = (covariance_m2 + kCloudSigma_m * kCloudSigma_m * Eigen::Matrix3d::Identity()).inverse();
   }
   return surface;
 }
@@ -67,7 +67,7 @@ void PlaceSurfaces::add(const Eigen::Vector3d& point_m) {
 void PlaceSurfaces::fit_all(VoxelHash<Cell>& voxels) {
   for (const VoxelKey& key : voxels.sorted_keys()) {
     Cell& cell = *voxels.find(key);
-    if (cell.count < kFewestPoints) {
+    if (cell.count < kFewestOfVoxel) {
       continue;
     }
     const Eigen::Vector3d mean_m = cell.sum_m / cell.count;

@@ -14,10 +14,10 @@ constexpr double kWindow_m = 30.0;
 constexpr std::size_t kMostInWindow = 400;
 constexpr double kWindow_s = 60.0;
 /// Standing machines are upright to this, one sigma: pistes are steep. It only has to be there.
-constexpr double kUpright_rad = 0.3;
+constexpr double kSeenUpright_rad = 0.3;
 /// An odometry drifts by this within a window; fixes that are better than that fit no better.
-constexpr double kDrift_m = 0.03;
-constexpr int kRounds = 6;
+constexpr double kSeenDrift_m = 0.03;
+constexpr int kSeenRounds = 6;
 /// Fixes scatter about so long a base, or they say nothing of the heading.
 constexpr double kShortestBase_m = 1.0;
 
@@ -70,7 +70,7 @@ class RigidFit {
     for (std::size_t i = 0; i < window_.size(); ++i) {
       const SeenFix& seen = window_[i];
       const Eigen::Matrix3d R_odom_base = seen.T_odom_base.rotation().toRotationMatrix();
-      sum += up * (R_odom_base * up).transpose() / (kUpright_rad * kUpright_rad * n);
+      sum += up * (R_odom_base * up).transpose() / (kSeenUpright_rad * kSeenUpright_rad * n);
       const auto attitude = attitude_of(fixes_[seen.fix]);
       const double heading_rad = fixes_[seen.fix].heading_sigma_rad;
       const double tilt_rad = fixes_[seen.fix].tilt_sigma_rad;
@@ -79,13 +79,14 @@ class RigidFit {
       }
       has_attitude_ = true;
       const Eigen::Matrix3d R_world_base = attitude->toRotationMatrix();
-      const double weight = std::min(weights[i] * kDrift_m * kDrift_m, 1.0);
+      const double weight = std::min(weights[i] * kSeenDrift_m * kSeenDrift_m, 1.0);
       if (std::isfinite(tilt_rad)) {
         const double sigma_rad = std::max(heading_rad, tilt_rad);
         sum += weight / (sigma_rad * sigma_rad) * R_world_base * R_odom_base.transpose();
       } else {
         const Eigen::Vector3d ahead = Eigen::Vector3d::UnitX();
-        sum += weight / (kUpright_rad * kUpright_rad) * (R_world_base * ahead) * (R_odom_base * ahead).transpose();
+        sum +=
+            weight / (kSeenUpright_rad * kSeenUpright_rad) * (R_world_base * ahead) * (R_odom_base * ahead).transpose();
       }
     }
     return sum;
@@ -154,19 +155,19 @@ WindowFit fit_window(std::span<const SeenFix> window, std::span<const Fix> fixes
   std::vector<double> own(window.size());
   std::vector<double> distances_m(window.size());
   for (std::size_t i = 0; i < window.size(); ++i) {
-    own[i] = 1.0 / (window[i].sigma_m * window[i].sigma_m + kDrift_m * kDrift_m);
+    own[i] = 1.0 / (window[i].sigma_m * window[i].sigma_m + kSeenDrift_m * kSeenDrift_m);
   }
   RigidFit rigid(window, fixes);
   std::vector<double> weights = own;
   WindowFit result;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSeenRounds; ++round) {
     result.T_world_odom = rigid.fit(weights);
     for (std::size_t i = 0; i < window.size(); ++i) {
       distances_m[i] = (result.T_world_odom * window[i].antenna_odom_m - window[i].position_m).norm();
     }
     result.residual_m = median(distances_m);
     // Geman and McClure 1987, its scale from the scatter itself.
-    const double scale_m2 = std::pow(2.0 * result.residual_m, 2) + kDrift_m * kDrift_m;
+    const double scale_m2 = std::pow(2.0 * result.residual_m, 2) + kSeenDrift_m * kSeenDrift_m;
     for (std::size_t i = 0; i < window.size(); ++i) {
       const double share = scale_m2 / (scale_m2 + distances_m[i] * distances_m[i]);
       weights[i] = own[i] * share * share;

@@ -18,7 +18,7 @@ constexpr double kCap_m = 2.0;
 /// An attitude of a fix is as good as a position of this sigma for every radian: 0.01 rad for 3 cm.
 constexpr double kMetresPerRad = 3.0;
 /// The sum of squares has to fall by so many times the noise of one fix, and by this share of that of all.
-constexpr double kFacts = 40.0;
+constexpr double kOffsetFacts = 40.0;
 constexpr double kShare = 0.02;
 /// What the odometry itself is off within a window, one sigma.
 constexpr double kOdometry_m = 0.02;
@@ -141,7 +141,7 @@ TimeOffset find_time_offset(std::span<const OdometryStep> odometry, std::span<co
   const double change_m2 = OffsetSearch(odometry, path_m, driven, chosen, config).score(best_s).sum_m2;
   TimeOffset result{.as_stamped_m = as_stamped.median_m};
   const double noise_m2 = std::pow(std::max(best.median_m, kOdometry_m), 2);
-  if (change_m2 > best.sum_m2 && as_stamped.sum_m2 - best.sum_m2 > noise_m2 * (kShare * best.count + kFacts)) {
+  if (change_m2 > best.sum_m2 && as_stamped.sum_m2 - best.sum_m2 > noise_m2 * (kShare * best.count + kOffsetFacts)) {
     result.offset_s = best_s;
     result.is_at_border =
         std::abs(coarse_s) > config.max_time_offset_s - 0.5 * kCoarse_s && std::abs(best_s) > std::abs(coarse_s) - 0.01;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kChildren = 4;
 /// Where no beam gets to.
-constexpr float kFar_m = 1e12F;
+constexpr float kEmptyBox_m = 1e12F;
 /// Thinner plumes are as thick as this.
 constexpr double kLeastSigma_m = 0.01;
 
@@ -73,8 +73,8 @@ PlumeTree::Boxed PlumeTree::add_plume(const Plume& plume, double reach) {
 
 PlumeTree::Boxed PlumeTree::add_node(std::span<const Boxed> boxes) {
   Node node{};
-  node.low_m.fill(Four::Constant(kFar_m));
-  node.high_m.fill(Four::Constant(kFar_m));
+  node.low_m.fill(Four::Constant(kEmptyBox_m));
+  node.high_m.fill(Four::Constant(kEmptyBox_m));
   Boxed around;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const PlumeBox& box = boxes[i].box;

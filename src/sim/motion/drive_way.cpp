@@ -13,8 +13,8 @@ namespace {
 constexpr double kShortestWave_m = 35.0;
 constexpr double kLongestWave_m = 160.0;
 /// What a driver keeps between the tracks and the edge.
-constexpr double kClearance_m = 0.4;
-constexpr double kStep_m = 0.25;
+constexpr double kDriveClearance_m = 0.4;
+constexpr double kDriveStep_m = 0.25;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ double DrivenWay::strays_m(double s_m, const RoutePoint& point) const {
   }
   // A sine has a variance of 1/2.
   const double wanted_m = wander_m_ * sum * std::sqrt(2.0 / static_cast<double>(waves_.size()));
-  const double free_m = std::min(point.left_m, point.right_m) - half_width_m_ - kClearance_m;
+  const double free_m = std::min(point.left_m, point.right_m) - half_width_m_ - kDriveClearance_m;
   return free_m > 0.0 ? free_m * std::tanh(wanted_m / free_m) : 0.0;
 }
 
@@ -55,7 +55,7 @@ double DrivenWay::heading_rad(double s_m) const {
 }
 
 double DrivenWay::stretch(double s_m) const {
-  const double planar = (at(s_m + kStep_m) - at(s_m - kStep_m)).norm() / (2.0 * kStep_m);
+  const double planar = (at(s_m + kDriveStep_m) - at(s_m - kDriveStep_m)).norm() / (2.0 * kDriveStep_m);
   // At the ends of the route, where `at` stands still.
   return std::hypot(std::max(0.2, planar), route_.gradient(s_m));
 }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "berm/core/angle.hpp"
 #include "berm/sim/motion.hpp"
 #include "berm/sim/random.hpp"
 #include "motion_noise.hpp"
@@ -13,7 +14,6 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 /// Satellites are above: heights are known half as well.
 constexpr double kHeightFactor = 2.0;
 /// Times between outages lie within this share of their mean.

@@ -3,11 +3,10 @@
 #include <numbers>
 
 #include "beam_pattern.hpp"
+#include "berm/core/angle.hpp"
 
 namespace berm::sim {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// A laser as it looks when the head points forward at the start of its column.
 struct Laser {

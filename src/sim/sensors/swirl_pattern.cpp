@@ -2,11 +2,10 @@
 #include <numbers>
 
 #include "beam_pattern.hpp"
+#include "berm/core/angle.hpp"
 
 namespace berm::sim {
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// A column of lasers seen in a mirror that turns fast and tilts slowly, up and down like a pendulum. The mirror turns
 /// the picture of the column, too: upright at azimuth `kUpright`, lying a quarter of a turn later.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "model_ground.hpp"
 #include "natural_ground.hpp"
@@ -17,7 +17,6 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 /// What branches off is this much narrower.
 constexpr double kForkWidthShare = 0.7;
 constexpr double kForkLength_m = 170.0;
@@ -96,7 +95,7 @@ std::vector<RoutePoint> find_fork(const WorldPlan& plan, const std::vector<Run>&
     const double side = random.chance(0.5) ? 1.0 : -1.0;
     // Runs part at small angles, roads of a mine at larger ones.
     const bool haul_road = plan.world.kind == "haul_road";
-    const double turn = (haul_road ? random.uniform(60.0, 85.0) : random.uniform(30.0, 50.0)) * kDegree;
+    const double turn = (haul_road ? random.uniform(60.0, 85.0) : random.uniform(30.0, 50.0)) * kRadPerDeg;
     std::vector<RoutePoint> course =
         lay_fork(runs[0].route.at(s), side, turn, plan.route.min_radius_m * 1.05, kForkLength_m);
     course.resize(usable_points(runs, course));
@@ -120,10 +119,10 @@ void add_fork(const WorldPlan& plan, std::vector<Run>& runs, std::uint64_t seed,
   }
   // Not much steeper than what it leaves: between the two there is to be a slope, not a cliff.
   const double left_deg =
-      std::atan(runs[0].route.gradient(runs[0].place(course[0].x_m, course[0].y_m).place.s_m)) / kDegree;
+      std::atan(runs[0].route.gradient(runs[0].place(course[0].x_m, course[0].y_m).place.s_m)) / kRadPerDeg;
   const double gradient = std::tan(std::clamp(left_deg + random.uniform(-kForkGradient_deg, kForkGradient_deg),
                                               plan.route.min_gradient_deg, plan.route.max_gradient_deg) *
-                                   kDegree);
+                                   kRadPerDeg);
   lay_fork_heights(runs[0], course, gradient, model);
   runs.push_back(make_run(plan, std::move(course), kForkWidthShare, {seed, runs.size()}));
 }
@@ -159,10 +158,10 @@ PitShape make_pit(const HaulRoadConfig& config, const Run& road, const Area& are
   pit.wall_side = Random(seed, Purpose::terrain, 20).chance(0.5) ? 1.0 : -1.0;
   pit.wall_from_m = foot + 1.0;
   pit.wall_height_m = config.wall_height_m;
-  pit.wall_slope = std::tan(config.wall_slope_deg * kDegree);
+  pit.wall_slope = std::tan(config.wall_slope_deg * kRadPerDeg);
   pit.drop_from_m = foot + 0.5;
   pit.drop_height_m = config.drop_height_m;
-  pit.drop_slope = std::tan(config.drop_slope_deg * kDegree);
+  pit.drop_slope = std::tan(config.drop_slope_deg * kRadPerDeg);
   pit.left_width_m = make_width_raster(road, area, true);
   pit.right_width_m = make_width_raster(road, area, false);
   return pit;

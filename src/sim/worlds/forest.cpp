@@ -15,7 +15,7 @@ namespace {
 /// Trees keep this far from the edges: berms and a strip that is cut clear.
 constexpr double kClear_m = 5.0;
 /// And from other things, which also clears a lane under a lift.
-constexpr double kApart_m = 1.8;
+constexpr double kTreesApart_m = 1.8;
 /// Glades and thickets, from one to the next.
 constexpr double kGladeWave_m = 110.0;
 /// No tree stands on steeper ground.
@@ -79,7 +79,7 @@ Buckets<Covered> find_covered(const TriangleMesh& mesh) {
     const Eigen::Vector2f c = mesh.vertices_m[triangle[2]].head<2>();
     const Eigen::Vector2f middle = (a + b + c) / 3.0F;
     const double radius = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
-    covered.push_back({middle.x(), middle.y(), radius + kApart_m});
+    covered.push_back({middle.x(), middle.y(), radius + kTreesApart_m});
   }
   return Buckets<Covered>(std::move(covered));
 }

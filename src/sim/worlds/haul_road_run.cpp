@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
+#include "berm/core/angle.hpp"
 #include "route_course.hpp"
 #include "run_plans.hpp"
 #include "run_widths.hpp"
@@ -11,7 +11,6 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kWidthWave_m = 45.0;
 /// Heaps stand this far apart, as a share of the radius of their foot: overlapping, as trucks dump them side by side.
 constexpr double kLeastSpacing = 0.55;
@@ -66,7 +65,7 @@ std::vector<RowHeap> dump_row(const HaulRoadConfig& config, const std::vector<Ro
     const double share = std::clamp(0.5 + 0.25 * slow[i] + random.uniform(-0.3, 0.3), 0.0, 1.0);
     RowHeap heap{};
     heap.height_m = config.min_berm_m + share * (config.max_berm_m - config.min_berm_m);
-    heap.slope = std::tan(random.uniform(config.min_repose_deg, config.max_repose_deg) * kDegree);
+    heap.slope = std::tan(random.uniform(config.min_repose_deg, config.max_repose_deg) * kRadPerDeg);
     heap.radius_m = heap.height_m / heap.slope;
     heap.s_m = s;
     heap.beyond_m = heap.radius_m + random.uniform(0.0, 0.15);
@@ -104,7 +103,7 @@ Run make_haul_road(const HaulRoadConfig& config, std::vector<RoutePoint> course,
   set_widths(course, low, high, kWidthWave_m, seed);
   Run run;
   run.cross_fall = make_cross_fall(course, config.cross_fall_deg, seed);
-  const double steepest = std::tan(config.min_repose_deg * kDegree);
+  const double steepest = std::tan(config.min_repose_deg * kRadPerDeg);
   std::vector<Heap> heaps;
   const std::vector<RoutePoint> dumped = course;
   const Route line(dumped);

@@ -16,10 +16,11 @@ constexpr double kKnotEvery_m = 6.0;
 constexpr double kSideWave_m = 90.0;
 /// Cells of the ground; larger ones where the world is large.
 constexpr double kLeastCell_m = 5.0;
-constexpr double kMostCells = 50000.0;
+constexpr double kMostGroundCells = 50000.0;
 
 double cell_for(const Area& area) {
-  return std::max(kLeastCell_m, std::sqrt((area.max_x_m - area.min_x_m) * (area.max_y_m - area.min_y_m) / kMostCells));
+  return std::max(kLeastCell_m,
+                  std::sqrt((area.max_x_m - area.min_x_m) * (area.max_y_m - area.min_y_m) / kMostGroundCells));
 }
 
 void add_knots(const Run& run, const std::vector<double>& side_slopes, std::vector<GroundKnot>& knots) {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
+#include "berm/core/angle.hpp"
 #include "route_course.hpp"
 #include "run_plans.hpp"
 #include "run_widths.hpp"
@@ -11,12 +11,11 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kWidthWave_m = 55.0;
+constexpr double kPisteWidthWave_m = 55.0;
 /// Snow that a blade pushes aside lies in a windrow with this top.
 constexpr double kLeastTop_m = 0.2;
 constexpr double kGreatestTop_m = 0.9;
-constexpr double kBlend_m = 9.0;
+constexpr double kPisteBlend_m = 9.0;
 
 /// Where `share` of the values lies above.
 double quantile_above(std::vector<double> values, double share) {
@@ -51,13 +50,13 @@ RunSide make_side(const PisteConfig& config, const std::vector<RoutePoint>& cour
   std::vector<double> slopes =
       smooth_random(course.size(), 6.0 / kRouteStep_m, Random(random.bits(), Purpose::terrain));
   for (double& slope : slopes) {
-    slope = std::tan((config.bank_slope_deg + 5.0 * std::tanh(slope)) * kDegree);
+    slope = std::tan((config.bank_slope_deg + 5.0 * std::tanh(slope)) * kRadPerDeg);
   }
   side.bank_slope = Profile(first, kRouteStep_m, std::move(slopes));
   std::vector<double> tops = smooth_random(course.size(), 9.0 / kRouteStep_m, Random(random.bits(), Purpose::terrain));
   stretch_to(tops, kLeastTop_m, kGreatestTop_m);
   side.bank_top_m = Profile(first, kRouteStep_m, std::move(tops));
-  const double flanks = 2.0 * config.max_bank_m / std::tan((config.bank_slope_deg - 5.0) * kDegree);
+  const double flanks = 2.0 * config.max_bank_m / std::tan((config.bank_slope_deg - 5.0) * kRadPerDeg);
   side.shoulder_m = constant_profile(course, flanks + kGreatestTop_m);
   return side;
 }
@@ -65,12 +64,12 @@ RunSide make_side(const PisteConfig& config, const std::vector<RoutePoint>& cour
 }  // namespace
 
 Run make_piste(const PisteConfig& config, std::vector<RoutePoint> course, double width_share, const RunSeed& seed) {
-  set_widths(course, width_share * config.min_width_m, width_share * config.max_width_m, kWidthWave_m, seed);
+  set_widths(course, width_share * config.min_width_m, width_share * config.max_width_m, kPisteWidthWave_m, seed);
   Run run;
   run.cross_fall = make_cross_fall(course, config.cross_fall_deg, seed);
   run.sides = {make_side(config, course, seed, 0), make_side(config, course, seed, 1)};
   run.route = Route(std::move(course));
-  run.finish(kBlend_m);
+  run.finish(kPisteBlend_m);
   return run;
 }
 

@@ -12,7 +12,7 @@ namespace berm::sim {
 namespace {
 
 /// How far from any drivable place things stand at least.
-constexpr double kClear_m = 0.35;
+constexpr double kRoadsideClear_m = 0.35;
 constexpr double kFenceBeyond_m = 1.6;
 constexpr double kFencePostEvery_m = 2.5;
 constexpr double kFenceHeight_m = 1.9;
@@ -53,7 +53,7 @@ void add_fence(const Site& site, double side, TriangleMesh& mesh) {
   for (std::size_t i = 0; i < count; ++i) {
     const double s = from + kFencePostEvery_m * static_cast<double>(i);
     const RoadsidePlace place = roadside(site, s, side, kFenceBeyond_m);
-    if (presence[i] < threshold || place.inside_m > -kClear_m) {
+    if (presence[i] < threshold || place.inside_m > -kRoadsideClear_m) {
       before.reset();
       continue;
     }
@@ -98,7 +98,7 @@ void add_poles(const Site& site, TriangleMesh& mesh) {
   for (double s = first_s(site); s < last_s(site); s += site.plan.things.pole_every_m * random.uniform(0.7, 1.3)) {
     side = -side;
     const RoadsidePlace place = roadside(site, s, side, random.uniform(0.6, 1.1));
-    if (place.inside_m > -kClear_m) {
+    if (place.inside_m > -kRoadsideClear_m) {
       continue;
     }
     builder.set_frame(upright_frame(place.ground_m, 0.0));

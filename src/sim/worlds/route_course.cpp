@@ -5,12 +5,11 @@
 #include <cstddef>
 #include <numbers>
 
+#include "berm/core/angle.hpp"
 #include "noise.hpp"
 
 namespace berm::sim {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::size_t index_of(double s_m) {
   return static_cast<std::size_t>(std::lround((s_m + kLead_m) / kRouteStep_m));
@@ -44,7 +43,7 @@ std::vector<double> random_curvatures(const RouteConfig& config, std::uint64_t s
   for (int bend = 0; s < config.length_m; ++bend) {
     const double side = off_rad > 0.0 ? -1.0 : 1.0;
     const bool sharpest = bend == 1;
-    double turn = side * config.bend_deg * kDegree * (sharpest ? 1.0 : random.uniform(0.25, 0.9));
+    double turn = side * config.bend_deg * kRadPerDeg * (sharpest ? 1.0 : random.uniform(0.25, 0.9));
     turn = std::clamp(turn, -kMaxTurn_rad - off_rad, kMaxTurn_rad - off_rad);
     const double radius = config.min_radius_m * (sharpest ? 1.0 : random.uniform(1.1, 3.0));
     if (std::abs(turn) > 0.01) {
@@ -83,8 +82,8 @@ std::vector<RoutePoint> follow_curvatures(const std::vector<double>& curvatures_
 }
 
 std::vector<double> make_gradients(const RouteConfig& config, std::size_t count, std::uint64_t seed) {
-  const double low = std::tan(config.min_gradient_deg * kDegree);
-  const double high = std::tan(config.max_gradient_deg * kDegree);
+  const double low = std::tan(config.min_gradient_deg * kRadPerDeg);
+  const double high = std::tan(config.max_gradient_deg * kRadPerDeg);
   // The limits are to be reached on the route itself and not on what leads to it.
   const std::size_t lead = index_of(0.0);
   const std::size_t on_route = count - 2 * lead;

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <string>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "noise.hpp"
 
 namespace berm::sim {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kAttempts = 96;
 /// The way looks this far ahead at the slope of the ground, over this base.
 constexpr double kLookAhead_m = 12.0;
@@ -91,8 +91,8 @@ double lay_heights(const RouteConfig& config, const ModelGround& ground, std::ve
     natural[i] = ground.heights().at(points[i].x_m, points[i].y_m);
   }
   const std::vector<double> smooth = smoothed(natural, kSmooth_m / kRouteStep_m);
-  const double low = std::tan(config.min_gradient_deg * kDegree) * kRouteStep_m;
-  const double high = std::tan(config.max_gradient_deg * kDegree) * kRouteStep_m;
+  const double low = std::tan(config.min_gradient_deg * kRadPerDeg) * kRouteStep_m;
+  const double high = std::tan(config.max_gradient_deg * kRadPerDeg) * kRouteStep_m;
   const auto zero = static_cast<std::size_t>(std::lround(kLead_m / kRouteStep_m));
   std::vector<double> limited(points.size(), smooth[zero]);
   const auto step_towards = [&](std::size_t from, std::size_t to, double least, double most) {
@@ -124,8 +124,8 @@ std::vector<RoutePoint> try_course(const RouteConfig& config, const ModelGround&
   // What it strives for stays off the limits: the ground never does quite as told.
   std::vector<double> gradients =
       smooth_random(ahead, config.gradient_every_m / kRouteStep_m, Random(random.bits(), Purpose::route));
-  const double low = std::tan(config.min_gradient_deg * kDegree);
-  const double high = std::tan(config.max_gradient_deg * kDegree);
+  const double low = std::tan(config.min_gradient_deg * kRadPerDeg);
+  const double high = std::tan(config.max_gradient_deg * kRadPerDeg);
   stretch_to(gradients, low + 0.12 * (high - low), high - 0.12 * (high - low));
   const std::vector<double> forwards = steer(config, ground, heading, gradients);
   const std::vector<double> backwards =

@@ -18,7 +18,7 @@ constexpr double kRopeRadius_m = 0.025;
 constexpr int kRopePieces = 6;
 /// Share of the span that a rope sags.
 constexpr double kSag = 0.02;
-constexpr Material kSteel{Surface::metal, truth::kPole};
+constexpr Material kSteelPole{Surface::metal, truth::kPole};
 
 struct Pylon {
   Eigen::Vector3d foot_m;
@@ -50,7 +50,7 @@ void add_pylon(MeshBuilder& builder, const Pylon& pylon, double yaw_rad) {
   builder.set_frame(upright_frame(pylon.foot_m, yaw_rad));
   builder.set_material({Surface::concrete, truth::kPole});
   builder.box({-0.9, -0.9, -1.5}, {0.9, 0.9, 0.4});
-  builder.set_material(kSteel);
+  builder.set_material(kSteelPole);
   builder.rod({0, 0, 0.3}, {0, 0, top}, 0.45, 0.28, 12);
   builder.box({-0.2, -kHalfCrossbar_m, top - 0.5}, {0.2, kHalfCrossbar_m, top - 0.2});
   for (const double y : {-kHalfCrossbar_m, kHalfCrossbar_m}) {
@@ -60,7 +60,7 @@ void add_pylon(MeshBuilder& builder, const Pylon& pylon, double yaw_rad) {
 
 void add_ropes(MeshBuilder& builder, const Pylon& from, const Pylon& to, double yaw_rad) {
   builder.set_frame(Eigen::Isometry3d::Identity());
-  builder.set_material(kSteel);
+  builder.set_material(kSteelPole);
   for (const double y : {-kHalfCrossbar_m, kHalfCrossbar_m}) {
     const Eigen::Vector3d aside(-y * std::sin(yaw_rad), y * std::cos(yaw_rad), 0.0);
     for (int i = 0; i < kRopePieces; ++i) {

@@ -15,7 +15,7 @@ constexpr double kStep_s = 0.1;
 /// Nobody simulates longer than this with traffic that still moves.
 constexpr double kLongest_s = 1200.0;
 /// Room beside who drives in the middle: half of a wide machine, and some.
-constexpr double kPassing_m = 3.4;
+constexpr double kTrafficPassing_m = 3.4;
 constexpr double kToEdge_m = 0.5;
 /// From one moving machine to the next.
 constexpr double kFollow_m = 70.0;
@@ -35,7 +35,7 @@ VehicleModel model_for(const Site& site) {
 /// How far left of the middle an oncoming machine keeps; negative where it cannot pass.
 double oncoming_lane_m(const Site& site, const VehicleModel& model, double s_m) {
   const double most = site.main_run().route.at(s_m).left_m - kToEdge_m - 0.5 * model.width_m;
-  const double least = (site.is("haul_road") || site.is("piste") ? kPassing_m : 1.4) + 0.5 * model.width_m;
+  const double least = (site.is("haul_road") || site.is("piste") ? kTrafficPassing_m : 1.4) + 0.5 * model.width_m;
   return most < least ? -1.0 : std::min(most, least + 1.5);
 }
 
