@@ -12,14 +12,14 @@ export function findChromium(): string | undefined {
   return places.find((place): place is string => place !== undefined && existsSync(place));
 }
 
-/** Starts it without a screen; WebGL runs on the processor, so that every machine draws the same. */
+/** Starts it without a screen; the processor draws pages and WebGL, as on a machine without a graphics card. */
 export async function launchChromium(): Promise<Browser> {
   const executablePath = findChromium();
   if (executablePath === undefined)
     throw new Error('no Chromium: install the package chromium or set BERM_CHROMIUM');
   return chromium.launch({
     executablePath,
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    args: ['--no-sandbox', '--use-angle=swiftshader-webgl', '--enable-unsafe-swiftshader'],
   });
 }
 

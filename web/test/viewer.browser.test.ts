@@ -245,6 +245,36 @@ describe.skipIf(chromium === undefined)('made data', () => {
     await page.close();
     two.server.close();
   });
+
+  test('each of two runs has its steps and its waveform', async () => {
+    const two = await startMock(['one', 'two'], kDist);
+    const { page, complaints } = await open(two.url, '#layers=scan,piste');
+    for (const name of ['one', 'two']) {
+      const drawer = page.locator(`[aria-label="Waveform of ${name}"]`);
+      await drawer.locator('canvas').waitFor();
+      expect(await drawer.locator('h2').textContent()).toContain('10 petals');
+      const pane = (await page.locator('.pane-title', { hasText: name }).boundingBox())!;
+      const plot = (await drawer.locator('.u-over').boundingBox())!;
+      expect(plot.x + plot.width / 2).toBeGreaterThan(pane.x);
+      const before = await savePicture(page);
+      await page.mouse.move(plot.x + plot.width / 2, plot.y + plot.height / 2);
+      await page.waitForTimeout(300);
+      expect((await savePicture(page)).hash).not.toBe(before.hash);
+    }
+    expect(complaints).toEqual([]);
+    await page.close();
+    two.server.close();
+  });
+
+  test('says what is missing where there is no WebGL', async () => {
+    const page = await browser.newPage({ viewport: kSize });
+    await page.addInitScript(() => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    });
+    await page.goto(mock.url);
+    expect(await page.locator('.fatal h1').textContent()).toContain('no WebGL 2');
+    await page.close();
+  });
 });
 
 describe.skipIf(chromium === undefined || berm === undefined)('berm view', () => {
@@ -267,15 +297,6 @@ describe.skipIf(chromium === undefined || berm === undefined)('berm view', () =>
       50,
       14,
     );
-
-    test('has a picture soon after it was called', async () => {
-      const view = await start(run);
-      const { page } = await open(view.url);
-      console.log(
-        `first picture ${Math.round(performance.now() - view.started_ms)} ms after berm view, pages drawn without a graphics card`,
-      );
-      await page.close();
-    });
 
     test('stands beside its recording', async () => {
       const { page, complaints } = await open((await start(recording, run)).url);

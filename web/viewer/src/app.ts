@@ -3,19 +3,20 @@ import { commandOf, type Actions } from './commands';
 import { ByteCache } from './data/cache';
 import { Loader } from './data/loader';
 import type { Vector } from './data/model';
+import type { Opening } from './data/opening';
 import { kBytesPerPoint, type PointBlock } from './data/points';
-import { hasPose } from './data/poses';
+import type { DrawingSurface } from './drawing_surface';
 import { Measuring } from './measuring';
 import { modeIndex, type Mode } from './modes';
 import { anchorIn, type Page } from './page';
 import { Picture } from './picture';
 import { PisteLink } from './piste_link';
-import { Clock, Timeline } from './playback/clock';
+import { Clock, type Timeline } from './playback/clock';
 import { Pointing } from './pointing';
 import { PointerControl } from './scene/pointer_control';
 import { kWorld, orbit, reanchor, zoom } from './scene/rig';
 import { Stage } from './scene/stage';
-import { autoRange, rampOf, type Range, type RunSession } from './session';
+import { autoRange, rampOf, RunSession, type Range } from './session';
 import { Store } from './store';
 import { make } from './ui/dom';
 import { Help } from './ui/help';
@@ -27,12 +28,10 @@ import { Transport } from './ui/transport';
 import * as state from './view_state';
 
 const kCacheBytes = 256 * 2 ** 20;
-/** Scans that are shown together at first where one alone says little: fewer points than this, and poses to place them. */
-const kSparse_points = 30_000;
-const kSparseTrail = 8;
 
 /** The page: holds state, data, picture and controls together. */
 export class App implements Actions, Page {
+  readonly runs: readonly RunSession[];
   readonly store: Store;
   readonly timeline: Timeline;
   readonly clock: Clock;
@@ -57,18 +56,18 @@ export class App implements Actions, Page {
   private shown = '';
   private hashTimer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(
-    readonly runs: readonly RunSession[],
-    root: HTMLElement,
-  ) {
+  constructor(opening: Opening, surface: DrawingSurface, root: HTMLElement) {
+    const runs = opening.runs.map((run) => new RunSession(run));
+    const { canvas } = surface;
+    this.runs = runs;
     this.root = root;
-    this.store = new Store(state.decodeState(location.hash));
-    this.timeline = new Timeline(runs.map((run) => run.table));
-    if (location.hash === '' && isSparse(runs)) this.store.state.trail = kSparseTrail;
+    this.store = new Store(opening.state);
+    this.timeline = opening.timeline;
     this.clock = new Clock(this.timeline.duration_s);
     this.clock.seek(this.store.state.time_s);
     this.clock.speed = this.store.state.speed;
     const cache = new ByteCache<PointBlock>(kCacheBytes, (block) => block.count * kBytesPerPoint);
+    for (const [key, block] of opening.scans) cache.set(key, block);
     this.loader = new Loader(
       cache,
       () => (this.wantNew = true),
@@ -77,9 +76,8 @@ export class App implements Actions, Page {
         this.messages.error(error);
       },
     );
-    const canvas = make('canvas', { class: 'canvas', role: 'img', tabindex: '0', 'aria-label': '3D view' });
     this.stage = new Stage(
-      canvas,
+      surface,
       runs.map((run) => run.view),
     );
     this.facts = {
@@ -107,7 +105,9 @@ export class App implements Actions, Page {
     this.picture = new Picture(this);
     this.piste = new PisteLink(this, () => this.toggleLayer('piste'), mark);
     this.measuring = new Measuring(this, this.hud, () => this.setTool('none'), mark);
-    this.pointing = new Pointing(this, this.hud, (object, index) => this.piste.point(object, index));
+    this.pointing = new Pointing(this, this.hud, (pane, object, index) =>
+      this.piste.point(this, pane, object, index),
+    );
     this.build(canvas);
     this.listen(canvas);
     this.store.onChange(() => this.apply());
@@ -258,7 +258,7 @@ export class App implements Actions, Page {
       'main',
       { class: 'left' },
       scene,
-      this.piste.waveform.drawer.root,
+      this.piste.root,
       this.measuring.chart.drawer.root,
       this.transport.root,
     );
@@ -318,7 +318,7 @@ export class App implements Actions, Page {
     this.measuring.applyMarks();
     this.measuring.applyProfile();
     this.measuring.chart.drawer.show(s.tool === 'profile');
-    this.piste.waveform.drawer.show(s.layers.has('piste') && this.runs[0]!.info.layers.has('piste'));
+    this.piste.apply(s.layers.has('piste'));
     this.toolbar.sync(s);
     this.syncFacts();
     this.syncTime();
@@ -387,20 +387,25 @@ export class App implements Actions, Page {
     if (wasPlaying) this.syncTime();
     if (wasPlaying && !this.clock.playing) this.scheduleHash();
     if (this.wantNew) this.show();
-    if (this.dirty) {
-      this.dirty = false;
-      for (const pane of this.stage.panes) this.stage.aim(pane, this.store.state.view, anchorIn(this, pane));
-      this.stage.render();
-      this.measuring.placeHud();
-    }
+    if (this.dirty && (this.picture.hasBegun || this.picture.isReady())) this.draw();
     this.pointing.hover();
     requestAnimationFrame((next) => this.frame(next));
   }
 
+  private draw(): void {
+    this.dirty = false;
+    for (const pane of this.stage.panes) this.stage.aim(pane, this.store.state.view, anchorIn(this, pane));
+    this.stage.render(!this.picture.hasBegun);
+    this.measuring.placeHud();
+    if (this.picture.hasBegun) return;
+    this.picture.hasBegun = true;
+    setTimeout(() => this.apply()); // now the rest: lighting, layers, the scans to come
+  }
+
   private show(): void {
     this.wantNew = false;
-    this.dirty = true;
     const changed = this.picture.show();
+    this.dirty ||= changed;
     const shown = this.runs.map((run) => run.view.current).join();
     if (shown !== this.shown && this.runs.some((run) => run.view.current >= 0)) this.shownChanged(shown);
     this.piste.show();
@@ -441,9 +446,3 @@ export class App implements Actions, Page {
     this.store.change((s) => Object.assign(s, read));
   }
 }
-
-const isSparse = (runs: readonly RunSession[]) =>
-  runs.every(
-    ({ table }) =>
-      table.count > 0 && hasPose(table, 0) && table.points[0]! > 0 && table.points[0]! < kSparse_points,
-  );

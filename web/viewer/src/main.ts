@@ -1,18 +1,18 @@
 import 'uplot/dist/uPlot.min.css';
 import './style.css';
-import { App } from './app';
-import { api } from './data/api';
 import { DataError } from './data/errors';
-import { RunSession } from './session';
+import { open } from './data/opening';
+import { makeDrawingSurface } from './drawing_surface';
 import { make } from './ui/dom';
 
+/** The first picture waits for data, for code and for the browser's context: all three are asked for at once. */
 async function start(root: HTMLElement): Promise<void> {
-  const infos = await api.runs();
-  if (infos.length === 0)
-    throw new DataError('there is nothing to show', 'Give berm view a run or a recording.');
-  const runs = await Promise.all(infos.map((info) => RunSession.open(info)));
-  document.title = `${infos.map((info) => info.name).join(' | ')} - berm view`;
-  new App(runs, root);
+  const opening = open(location.hash);
+  const code = import('./app');
+  const surface = makeDrawingSurface();
+  const [opened, { App }] = await Promise.all([opening, code]);
+  document.title = `${opened.runs.map(({ info }) => info.name).join(' | ')} - berm view`;
+  new App(opened, surface, root);
 }
 
 const root = document.getElementById('app')!;

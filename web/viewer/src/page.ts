@@ -41,11 +41,6 @@ export function shownLabels(page: Page, run: RunSession): (label: number) => boo
   return (label) => !ids.has(label);
 }
 
-/** The scan of the first run at the time of the clock; undefined while it is on its way. */
-export function currentScan(page: Page): PointObject | undefined {
-  return page.runs[0]!.view.shownScans.get(page.timeline.scanAt(0, page.clock.time_s));
-}
-
 export function worldOf(object: PointObject, i: number): Vector {
   const m = object.object.matrix.elements;
   const { x, y, z } = object.block;

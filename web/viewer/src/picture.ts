@@ -14,6 +14,8 @@ const kTileBudget = 3e6;
 export class Picture {
   /** 1 or -1: where the scans lie that will be wanted next. */
   direction = 1;
+  /** False until the first picture was drawn: before that nothing is asked for that it does not need. */
+  hasBegun = false;
   private drawn = '';
 
   constructor(private readonly page: Page) {}
@@ -27,7 +29,7 @@ export class Picture {
       run.view.showScans(scans, (scan) => this.page.loader.get(run.scanKey(scan)));
       run.view.scansVisible = this.page.store.state.layers.has('scan');
       wanted.push(...scans.map((scan) => run.wantScan(scan)));
-      for (let k = 1; k <= kPrefetch; ++k) {
+      for (let k = 1; this.hasBegun && k <= kPrefetch; ++k) {
         const scan = (scans[0] ?? -1) + k * this.direction;
         if (scan >= 0 && scan < run.table.count) later.push(run.wantScan(scan));
       }
@@ -55,7 +57,7 @@ export class Picture {
     const visible = this.page.store.state.layers.has(layer);
     const object = run.view.layers.get(layer);
     if (object !== undefined) object.visible = visible;
-    if (!visible) return;
+    if (!visible || !this.hasBegun) return;
     run.load(layer).then(
       () => {
         const loaded = run.view.layers.get(layer);

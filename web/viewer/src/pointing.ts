@@ -26,7 +26,7 @@ export class Pointing {
   constructor(
     private readonly page: Page,
     private readonly hud: Hud,
-    private readonly onPoint: (object: PointObject, index: number) => void,
+    private readonly onPoint: (pane: Pane, object: PointObject, index: number) => void,
   ) {}
 
   click(x: number, y: number): void {
@@ -58,7 +58,7 @@ export class Pointing {
     }
     const run = runOf(this.page, picked.pane);
     this.hud.point(describe(picked, run));
-    this.onPoint(picked.object, picked.index);
+    this.onPoint(picked.pane, picked.object, picked.index);
   }
 
   private pickAt(x: number, y: number): Picked | undefined {

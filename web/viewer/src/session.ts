@@ -1,5 +1,6 @@
 import { api } from './data/api';
 import type { LabelName, Piste, RunInfo, TileTree } from './data/model';
+import { scanKey, type OpenedRun } from './data/opening';
 import type { PointBlock } from './data/points';
 import type { PoseTable } from './data/poses';
 import { RunView } from './scene/run_view';
@@ -16,18 +17,16 @@ export class RunSession {
   tiles: TileTree | undefined;
   private readonly asked = new Set<LayerName>();
 
-  constructor(
-    readonly info: RunInfo,
-    readonly table: PoseTable,
-    readonly labels: readonly LabelName[],
-  ) {
+  readonly info: RunInfo;
+  readonly table: PoseTable;
+  readonly labels: readonly LabelName[];
+
+  constructor({ info, table, labels }: OpenedRun) {
+    this.info = info;
+    this.table = table;
+    this.labels = labels;
     this.view = new RunView(table);
     this.ground = groundIds(labels);
-  }
-
-  static async open(info: RunInfo): Promise<RunSession> {
-    const [table, labels] = await Promise.all([api.scans(info.id), api.labels(info.id)]);
-    return new RunSession(info, table, labels);
   }
 
   /** Fetches a layer when it is wanted for the first time. */
@@ -48,7 +47,7 @@ export class RunSession {
   }
 
   scanKey(scan: number): string {
-    return `${this.info.id}/scan/${scan}`;
+    return scanKey(this.info.id, scan);
   }
 
   tileKey(tile: number): string {

@@ -32,7 +32,7 @@ const binary = async (path: string, signal?: AbortSignal) => (await get(path, si
 export const api = {
   runs: async (): Promise<model.RunInfo[]> => model.parseRuns(await json('api/runs')),
   scans: async (run: number): Promise<PoseTable> => decodePoses(await binary(`api/runs/${run}/scans`)),
-  scan: async (run: number, i: number, signal: AbortSignal): Promise<PointBlock> =>
+  scan: async (run: number, i: number, signal?: AbortSignal): Promise<PointBlock> =>
     decodePoints(await binary(`api/runs/${run}/scans/${i}`, signal)),
   labels: async (run: number) => model.parseLabels(await json(`api/runs/${run}/labels`)),
   trajectory: async (run: number) => decodePoses(await binary(`api/runs/${run}/trajectory`)),

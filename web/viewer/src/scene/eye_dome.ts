@@ -47,7 +47,8 @@ void main() {
     return;
   }
   float behind = 0.0;
-  for (int i = 0; i < 8; ++i) {
+  int neighbours = uStrength > 0.0 ? 8 : 0;
+  for (int i = 0; i < neighbours; ++i) {
     float angle = 0.7853981634 * float(i);
     float other;
     float depth = logDepth(vUv + 1.4 * uPixel * vec2(cos(angle), sin(angle)), other);

@@ -1,6 +1,7 @@
 import { Matrix4, PerspectiveCamera, Vector2, Vector3, Vector4, WebGLRenderer } from 'three';
 import type { Eye } from '../data/level_of_detail';
 import type { Vector } from '../data/model';
+import type { DrawingSurface } from '../drawing_surface';
 import type { CameraView } from '../view_state';
 import { EyeDome } from './eye_dome';
 import { aim, type Anchor } from './rig';
@@ -18,16 +19,17 @@ export interface Pane {
 
 /** The canvas: one pane for each run, side by side, all seen from the same place relative to their machines. */
 export class Stage {
+  readonly canvas: HTMLCanvasElement;
   readonly renderer: WebGLRenderer;
   readonly panes: Pane[];
   edlStrength = 0;
 
-  constructor(
-    readonly canvas: HTMLCanvasElement,
-    views: readonly RunView[],
-  ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+  constructor(surface: DrawingSurface, views: readonly RunView[]) {
+    this.canvas = surface.canvas;
+    this.renderer = new WebGLRenderer({ ...surface });
     this.renderer.autoClear = false;
+    // To ask whether a shader is right is to wait until it is translated, once for each; the tests see that they are.
+    this.renderer.debug.checkShaderErrors = false;
     this.panes = views.map((view) => ({
       view,
       camera: new PerspectiveCamera(50, 1, 0.1, 2000),
@@ -48,8 +50,7 @@ export class Stage {
     const ratio = Math.min(2, window.devicePixelRatio);
     const size = this.renderer.getSize(new Vector2());
     if (size.x === width && size.y === height && this.pixelRatio === ratio) return false;
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height, false);
+    this.renderer.setDrawingBufferSize(width, height, ratio);
     const gap = 2;
     const paneWidth = (width - gap * (this.panes.length - 1)) / this.panes.length;
     this.panes.forEach((pane, i) => {
@@ -65,7 +66,8 @@ export class Stage {
     aim(pane.camera, view, anchor);
   }
 
-  render(): void {
+  /** `plain`: points alone, without eye-dome lighting, which is there in half the time where the processor draws. */
+  render(plain = false): void {
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(0x2a3340, 1);
     this.renderer.clear();
@@ -77,8 +79,8 @@ export class Stage {
         Math.round(pane.width * this.pixelRatio),
         Math.round(pane.height * this.pixelRatio),
       );
-      pane.eyeDome.render(this.renderer, pane.view.points, pane.camera, size, this.edlStrength);
-      this.renderer.render(pane.view.overlay, pane.camera);
+      pane.eyeDome.render(this.renderer, pane.view.points, pane.camera, size, plain ? 0 : this.edlStrength);
+      if (!plain) this.renderer.render(pane.view.overlay, pane.camera);
     }
   }
 

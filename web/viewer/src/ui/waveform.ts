@@ -15,10 +15,11 @@ export class Waveform {
 
   /** `hover` is told the index of the point below the cursor, undefined for none. */
   constructor(
+    private readonly name: string,
     close: () => void,
     private readonly hover: (point: number | undefined) => void,
   ) {
-    this.drawer = new Drawer('Waveform', close);
+    this.drawer = new Drawer(name, close);
     new ResizeObserver(() => this.plot && fit(this.plot, this.drawer.body, kLegend_px)).observe(
       this.drawer.body,
     );
@@ -26,7 +27,7 @@ export class Waveform {
 
   show(piste: Piste | undefined, scan: number): void {
     if (piste === undefined) {
-      this.drawer.heading = 'Waveform: this scan has none';
+      this.drawer.heading = `${this.name}: this scan has none`;
       this.plot?.setData([[], [], [], []]);
       this.piste = undefined;
       return;
@@ -36,7 +37,7 @@ export class Waveform {
     piste.shown.forEach((point, sample) => point >= 0 && this.sampleOf.set(point, sample));
     const found =
       piste.petals.length > 0 ? `, ${piste.steps.length} steps, ${piste.petals.length} petals` : '';
-    this.drawer.heading = `Waveform of scan ${scan + 1}, method ${piste.method}${found}`;
+    this.drawer.heading = `${this.name}, scan ${scan + 1}, method ${piste.method}${found}`;
     const samples = Array.from(piste.z, (_, k) => k + piste.first);
     const data: uPlot.AlignedData = [samples, [...piste.intensity], [...piste.x], [...piste.z]];
     if (this.plot === undefined) this.plot = this.create(data);
