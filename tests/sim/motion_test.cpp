@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 
 namespace berm::sim {
@@ -18,7 +19,6 @@ namespace {
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kRouteLength_m = 200.0;
 
 /// Ground given by a formula.
@@ -252,6 +252,35 @@ TEST(Drive, NothingJumpsFromSampleToSample) {
     EXPECT_LT(second.norm(), 0.006) << "at " << to_seconds(p[i].stamp_ns) << " s";
     EXPECT_LT((p[i - 1].T_world_base.inverse() * p[i].T_world_base).log().tail<3>().norm(), 0.02);
   }
+}
+
+TEST(Drive, UpAndDownTheSameWay) {
+  VehicleConfig config = steady();
+  config.leg_s = 20.0;
+  const auto bumpy = [](double x_m, double y_m) { return 0.2 * x_m + 0.1 * std::sin(x_m / 3.0) + 0.05 * y_m; };
+  const World world = make_world(bumpy, 40.0);
+  const auto poses = drive(world, config, 120.0, 7).poses();
+  const auto once = drive(world, config, 19.0, 7).poses();
+  std::size_t turns = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Pose& pose = poses[i].T_world_base;
+    if (i >= 1800 && i + 1 < poses.size()) {
+      // In front on the way up, behind on the way down: the nose looks where the machine goes.
+      const Vector3d step_m = pose.inverse() * poses[i + 1].T_world_base.translation_m();
+      EXPECT_GT(step_m.x(), -1e-6) << i;
+      turns += step_m.norm() < 1e-6 ? 1U : 0U;
+    }
+    if (i < 1800) {
+      EXPECT_TRUE(pose.matrix().isApprox(once[i].T_world_base.matrix(), 1e-9)) << "the first leg begins like any drive";
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(turns), 3600.0, 500.0) << "three turns of 12 s";
+  // 21.5 s up, 12 s to turn, 23 s down: where it began, nose back.
+  const Pose T_begin_back = poses.front().T_world_base.inverse() * poses[5650].T_world_base;
+  EXPECT_LT(T_begin_back.translation_m().norm(), 1e-6);
+  EXPECT_NEAR(std::abs(T_begin_back.log()[5]), std::numbers::pi, 1e-3);
+  config.leg_s = 5.0;
+  EXPECT_THROW(static_cast<void>(drive(world, config, 120.0, 7)), ConfigError) << "no place to brake in";
 }
 
 TEST(Drive, AtZeroSpeedItStands) {

@@ -3,10 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "berm/core/label.hpp"
 #include "berm/core/point_cloud.hpp"
 #include "berm/core/series.hpp"
+#include "berm/render/color.hpp"
 #include "berm/render/draw_scan.hpp"
 #include "berm/render/image.hpp"
 
@@ -39,5 +44,23 @@ struct Waveform {
 /// steps and envelopes. Of `options` count size, background and title beside it.
 /// Throws Error(invalid_argument) if lengths differ or nothing is selected, ConfigError as `DrawOptions::check`.
 [[nodiscard]] Image draw_waveform(const Waveform& waveform, const DrawOptions& options);
+
+/// One line of a chart.
+struct Curve {
+  std::string name;  ///< for the legend
+  Rgb color;
+  std::vector<Eigen::Vector2d> points;  ///< across and up; one that is not finite interrupts the line
+};
+
+/// Titles of the axes, with their units.
+struct CurveAxes {
+  std::string across;
+  std::string up;
+};
+
+/// Values of at least 0, such as times per scan along a run: later curves lie on earlier ones. Of `options` count size,
+/// background and title.
+/// Throws Error(invalid_argument) if no point is finite, ConfigError as `DrawOptions::check`.
+[[nodiscard]] Image draw_curves(std::span<const Curve> curves, const CurveAxes& axes, const DrawOptions& options);
 
 }  // namespace berm

@@ -15,6 +15,7 @@ struct VehicleConfig {
   double stop_every_s = 0.0;
   double stop_s = 3.0;
   double turn_on_spot_deg = 0.0;
+  double leg_s = 0.0;
   double length_m = 4.5;
   double width_m = 3.0;
   double heave_m = 0.015;
@@ -31,6 +32,8 @@ struct VehicleConfig {
     field("stop_s", &VehicleConfig::stop_s, Range{0.0, 600.0}, "how long it stands at least");
     field("turn_on_spot_deg", &VehicleConfig::turn_on_spot_deg, Range{-180.0, 180.0},
           "turned there and back during the first stop, positive: to the left");
+    field("leg_s", &VehicleConfig::leg_s, Range{0.0, 36000.0},
+          "after so long it turns round on the spot and drives back, again and again; 0: it never does");
     field("length_m", &VehicleConfig::length_m, Range{0.5, 20.0}, "of the tracks, or the wheelbase");
     field("width_m", &VehicleConfig::width_m, Range{0.5, 12.0}, "between the middles of the tracks or wheels");
     field("heave_m", &VehicleConfig::heave_m, Range{0.0, 0.3}, "standard deviation of the heave, at about 1 Hz");
@@ -41,7 +44,7 @@ struct VehicleConfig {
           "standard deviation of how far it strays from the middle");
     field("start_m", &VehicleConfig::start_m, Range{0.0, 10000.0}, "where on the route it begins");
   }
-  /// Also refuses a turn without a stop to turn in.
+  /// Also refuses a turn without a stop to turn in, and legs too short to brake in.
   void check() const;
 };
 

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "berm/core/angle.hpp"
 #include "berm/core/error.hpp"
 #include "berm/sim/motion.hpp"
+#include "drive_legs.hpp"
 #include "drive_speed.hpp"
 #include "drive_stand.hpp"
 #include "drive_way.hpp"
@@ -15,10 +16,9 @@
 namespace berm::sim {
 namespace {
 
-constexpr double kStep_s = 1.0 / kTruthHz;
+constexpr double kTruthStep_s = 1.0 / kTruthHz;
 constexpr Stamp kStep_ns = 10'000'000;
 static_assert(static_cast<double>(kStep_ns) * kTruthHz == kNanosecondsPerSecond);
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
 /// A heavy machine on its springs, tyres or snow.
 constexpr double kHeave_hz = 1.0;
@@ -39,10 +39,10 @@ class Shake {
  public:
   Shake(const VehicleConfig& config, std::uint64_t seed)
       : config_(config),
-        heave_(kHeave_hz, kDamping, kStep_s, Random(seed, Purpose::vehicle, 3)),
-        pitch_(kPitch_hz, kDamping, kStep_s, Random(seed, Purpose::vehicle, 4)),
-        roll_(kRoll_hz, kDamping, kStep_s, Random(seed, Purpose::vehicle, 5)),
-        hum_(kHum_hz, kHumDamping, kStep_s, Random(seed, Purpose::vehicle, 6)) {}
+        heave_(kHeave_hz, kDamping, kTruthStep_s, Random(seed, Purpose::vehicle, 3)),
+        pitch_(kPitch_hz, kDamping, kTruthStep_s, Random(seed, Purpose::vehicle, 4)),
+        roll_(kRoll_hz, kDamping, kTruthStep_s, Random(seed, Purpose::vehicle, 5)),
+        hum_(kHum_hz, kHumDamping, kTruthStep_s, Random(seed, Purpose::vehicle, 6)) {}
 
   [[nodiscard]] Pose next(double speed_m_per_s) {
     const double share =
@@ -84,6 +84,37 @@ void check_place(const Area& area, const Eigen::Vector2d& place_m) {
   }
 }
 
+std::size_t count_samples(double seconds) {
+  return static_cast<std::size_t>(std::ceil(seconds * kTruthHz - 1e-9)) + 2;
+}
+
+/// Along the route, without turning back.
+Trajectory drive_once(const World& world, const VehicleConfig& config, double seconds, std::uint64_t seed) {
+  const ContactArea area{config.length_m, config.width_m};
+  const DrivenWay way(world.route, config, seed);
+  // The front of the machine ends where the route does.
+  const double end_m = world.route.length_m() - 0.5 * config.length_m;
+  SpeedPlan speed(config, kTruthStep_s, seed);
+  Shake shake(config, seed);
+  const std::size_t samples = count_samples(seconds);
+  Trajectory trajectory;
+  trajectory.reserve(samples);
+  double s_m = config.start_m;
+  for (std::size_t i = 0; i < samples; ++i) {
+    if (s_m > end_m) {
+      refuse_end(world, config, seconds, static_cast<double>(i) * kTruthStep_s);
+    }
+    const Eigen::Vector2d place_m = way.at(s_m);
+    check_place(world.area, place_m);
+    const double heading_rad = way.heading_rad(s_m) + speed.turned_rad();
+    const Pose T_world_plane = stand_on(*world.terrain, area, place_m.x(), place_m.y(), heading_rad);
+    trajectory.append(static_cast<Stamp>(i) * kStep_ns, T_world_plane * shake.next(speed.speed_m_per_s()));
+    s_m += speed.speed_m_per_s() * kTruthStep_s / way.stretch(s_m);
+    speed.step();
+  }
+  return trajectory;
+}
+
 }  // namespace
 
 void VehicleConfig::check() const {
@@ -92,6 +123,9 @@ void VehicleConfig::check() const {
     check_problem("vehicle", "turn_on_spot_deg",
                   "needs a stop to turn in; set vehicle.stop_every_s and vehicle.speed_m_per_s, or turn by 0");
   }
+  if (leg_s > 0.0 && leg_s < kShortestLeg_s) {
+    check_problem("vehicle", "leg_s", fmt::format("is too short; expected 0 or at least {} s", kShortestLeg_s));
+  }
 }
 
 Trajectory drive(const World& world, const VehicleConfig& config, double seconds, std::uint64_t seed) {
@@ -99,29 +133,10 @@ Trajectory drive(const World& world, const VehicleConfig& config, double seconds
   if (!(seconds >= 0.0)) {
     throw Error(ErrorCode::invalid_argument, fmt::format("{} s cannot be driven, expected 0 or more", seconds));
   }
-  const ContactArea area{config.length_m, config.width_m};
-  const DrivenWay way(world.route, config, seed);
-  // The front of the machine ends where the route does.
-  const double end_m = world.route.length_m() - 0.5 * config.length_m;
-  SpeedPlan speed(config, kStep_s, seed);
-  Shake shake(config, seed);
-  const auto samples = static_cast<std::size_t>(std::ceil(seconds * kTruthHz - 1e-9)) + 2;
-  Trajectory trajectory;
-  trajectory.reserve(samples);
-  double s_m = config.start_m;
-  for (std::size_t i = 0; i < samples; ++i) {
-    if (s_m > end_m) {
-      refuse_end(world, config, seconds, static_cast<double>(i) * kStep_s);
-    }
-    const Eigen::Vector2d place_m = way.at(s_m);
-    check_place(world.area, place_m);
-    const double heading_rad = way.heading_rad(s_m) + speed.turned_rad();
-    const Pose T_world_plane = stand_on(*world.terrain, area, place_m.x(), place_m.y(), heading_rad);
-    trajectory.append(static_cast<Stamp>(i) * kStep_ns, T_world_plane * shake.next(speed.speed_m_per_s()));
-    s_m += speed.speed_m_per_s() * kStep_s / way.stretch(s_m);
-    speed.step();
+  if (config.leg_s > 0.0 && config.leg_s < seconds) {
+    return drive_legs(drive_once(world, config, config.leg_s, seed), config.leg_s, count_samples(seconds), kStep_ns);
   }
-  return trajectory;
+  return drive_once(world, config, seconds, seed);
 }
 
 }  // namespace berm::sim
