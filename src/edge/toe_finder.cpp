@@ -6,30 +6,33 @@
 namespace berm {
 namespace {
 
-constexpr float kRoadLine_m = 2.5F;  // of road that its line is drawn through
-constexpr float kFloor_m = 0.35F;    // road lies this near to the surface: farther out the surface is known less well
-constexpr float kLag_m = 0.7F;       // the line ends this far before a rise shows, so that it is none of the flank
-constexpr float kGoesOn = 0.05F;     // a road goes on with no more slope than this against the surface
-constexpr float kShows = 0.4F;       // by this share of the least height
-constexpr float kMisfit_m = 0.06F;   // of a flank about its line, at most
-constexpr float kLip_m = 0.05F;      // road ends where it lies this far below its line
-constexpr float kTryEvery_m = 0.1F;  // where a rise does not turn into an edge
+constexpr float kRoadLine_m = 2.5F;    // of road that its line is drawn through
+constexpr float kRoadFloor_m = 0.35F;  // road lies this near to the surface: farther out the surface is known less well
+constexpr float kLag_m = 0.7F;         // the line ends this far before a rise shows, so that it is none of the flank
+constexpr float kRoadGoesOn = 0.05F;   // a road goes on with no more slope than this against the surface
+constexpr float kShows = 0.4F;         // by this share of the least height
+constexpr float kMisfit_m = 0.06F;     // of a flank about its line, at most
+constexpr float kLip_m = 0.05F;        // road ends where it lies this far below its line
+constexpr float kTryEvery_m = 0.1F;    // where a rise does not turn into an edge
 constexpr float kMaxWidth_m = 15.0F;
-constexpr float kFallsAgain = 0.3F;  // share of its height, for a flank to be over
-constexpr float kFootShare = 0.15F;  // the line of the flank is drawn from this share of its height
-constexpr float kSteepShare = 0.5F;  // its upper part begins at this share of that
-constexpr float kSteeper = 1.4F;     // and counts alone if it is so much steeper
-constexpr float kHeadShare = 0.75F;  // to this
-constexpr float kHead_m = 0.45F;     // or of this height: higher up a berm bends
+constexpr float kFallsAgain = 0.3F;    // share of its height, for a flank to be over
+constexpr float kFootShare = 0.15F;    // the line of the flank is drawn from this share of its height
+constexpr float kSteepShare = 0.5F;    // its upper part begins at this share of that
+constexpr float kSteeper = 1.4F;       // and counts alone if it is so much steeper
+constexpr float kLowShare = 0.6F;      // the line to the toe is drawn up to this share of that,
+constexpr std::size_t kLowFewest = 4;  // through so many points at least
+constexpr float kHeadShare = 0.75F;    // to this
+constexpr float kHead_m = 0.45F;       // or of this height: higher up a berm bends
 
 }  // namespace
 
 bool ToeFinder::is_road(const TraceProfile& p, std::size_t first, std::size_t last, RoadLine& road) const {
   const TraceProfile::Line line = p.fit(first, last);
-  road = {.s_m = p.s_m[last], .height_m = line.at(p.s_m[last]), .slope = std::clamp(line.slope, -kGoesOn, kGoesOn)};
+  road = {
+      .s_m = p.s_m[last], .height_m = line.at(p.s_m[last]), .slope = std::clamp(line.slope, -kRoadGoesOn, kRoadGoesOn)};
   const auto noise_m = static_cast<float>(config_.road_noise_m);
   return line.variance_m2 < noise_m * noise_m && std::abs(line.slope) < static_cast<float>(config_.max_road_slope) &&
-         (!config_.own_road || std::abs(line.height_m) < kFloor_m);
+         (!config_.own_road || std::abs(line.height_m) < kRoadFloor_m);
 }
 
 void ToeFinder::process(const TraceProfile& p, bool end_falls, std::vector<Toe>& toes,
@@ -165,7 +168,18 @@ bool ToeFinder::find_rise(const TraceProfile& p, std::size_t last, std::size_t s
   if (flank.slope - road.slope < static_cast<float>(config_.min_flank_slope) || flank.rms_m() > kMisfit_m) {
     return false;
   }
-  const float meet_m = flank.s0_m - (flank.height_m - road.at(flank.s0_m)) / (flank.slope - road.slope);
+  // Heaps are cones: a trace climbs them ever less steeply, and a line through all of the flank meets the road too
+  // soon.
+  TraceProfile::Line foot = flank;
+  std::size_t low = from;
+  while (low < to && e(low) < kLowShare * head_m) {
+    ++low;
+  }
+  if (low + 1 >= from + kLowFewest) {
+    const TraceProfile::Line lower = p.fit(from, low);
+    foot = lower.slope > flank.slope ? lower : flank;
+  }
+  const float meet_m = foot.s0_m - (foot.height_m - road.at(foot.s0_m)) / (foot.slope - road.slope);
   const float toe_m = config_.sub_cell ? meet_m : p.s_m[shows];
   if (meet_m < p.s_m[last] - 1.0F || meet_m > p.s_m[from] + 0.1F) {
     return false;
