@@ -100,6 +100,11 @@ bool road_on_left(const EdgeMap& map, std::span<const Trace::Place> places) {
   return balance > 0.0;
 }
 
+/// A line of which less than this is sure
+constexpr double kShortSure_m = 10.0;
+/// has to be sure for this share: two sides of trucks that a guess joins are not.
+constexpr double kSureShare = 0.5;
+
 /// Length of a line, where 1 m counts as much as its confidence is above chance, in shares of the most there is.
 double sure_length_m(const EdgeLine& line, double max_probability) {
   double sum_m = 0.0;
@@ -110,6 +115,15 @@ double sure_length_m(const EdgeLine& line, double max_probability) {
     sum_m += horizontal_m(from.position_m, to.position_m) * above_chance / (max_probability - 0.5);
   }
   return sum_m;
+}
+
+bool is_kept(const EdgeLine& line, double max_probability, double min_length_m) {
+  const double sure_m = sure_length_m(line, max_probability);
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < line.vertices.size(); ++i) {
+    length_m += horizontal_m(line.vertices[i].position_m, line.vertices[i - 1].position_m);
+  }
+  return sure_m >= min_length_m && (sure_m >= kShortSure_m || sure_m >= kSureShare * length_m);
 }
 
 }  // namespace
@@ -140,7 +154,7 @@ std::vector<EdgeLine> extract_lines(const EdgeMap& map, const EdgeLinesConfig& c
         continue;
       }
       EdgeLine line{side, resample(part, odds, config.spacing_m)};
-      if (sure_length_m(line, map.config().max_probability) < config.min_length_m) {
+      if (!is_kept(line, map.config().max_probability, config.min_length_m)) {
         continue;
       }
       if (road_on_left(map, part) == (side == EdgeSide::left)) {

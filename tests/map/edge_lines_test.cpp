@@ -184,6 +184,22 @@ TEST(EdgeLines, GapsStayGapsAndNarrowOnesAreCarried) {
   }
 }
 
+/// Two pieces of an edge, 4 m and 6 m long, 8 m apart and in line.
+std::vector<EdgeLine> lines_of_two_pieces(double hits_per_m) {
+  EdgeMap map({});
+  for (double x = 0.0; x < 18.0; x += 1.0 / hits_per_m) {
+    if (x < 4.0 || x > 12.0) {
+      map.add_scan(std::vector<MappedEdge>{{{x, 5.0, 0.0}, EdgeSide::left}}, {});
+    }
+  }
+  return extract_lines(map, {});
+}
+
+TEST(EdgeLines, AGuessBetweenFaintPiecesIsNone) {
+  EXPECT_TRUE(lines_of_two_pieces(2.5).empty());
+  EXPECT_EQ(lines_of_two_pieces(20.0).size(), 1U);
+}
+
 TEST(EdgeLines, ARoadDrivenBothWaysKeepsItsLinesWhole) {
   const Course course = test::straight_course({0.0, 0.0, 0.0}, 0.3, 150.0);
   auto scans = test::drive(course, {.hits_per_m = 10.0, .seed = 1});
