@@ -375,13 +375,15 @@ RoadResult measure_recording(const std::filesystem::path& folder, const std::vec
   }
   Labelled bare(false);
   Labelled clean(true);
-  const bool any_clean = std::any_of(methods.begin(), methods.end(), [](const auto& m) { return m.with_snow; });
+  const auto with_snow = [](const RoadMethod& method) { return method.with_snow; };
+  const bool any_clean = std::any_of(methods.begin(), methods.end(), with_snow);
+  const bool all_clean = std::all_of(methods.begin(), methods.end(), with_snow);
   Scan scan;
   for (std::size_t i = 0; i < recording.size(); ++i) {
     recording.read(i, scan);
     scan.T_base_sensor = mount_of(recording.sheet()).T_base_sensor();
     result.points_a_scan += static_cast<double>(scan.cloud.size()) / static_cast<double>(recording.size());
-    const EdgeInput with_all = bare.process(scan);
+    const EdgeInput with_all = all_clean ? EdgeInput{} : bare.process(scan);
     const EdgeInput without_flakes = any_clean ? clean.process(scan) : EdgeInput{};
     for (std::size_t m = 0; m < methods.size(); ++m) {
       passages[m]->process(methods[m].with_snow ? without_flakes : with_all, scan, poses);

@@ -20,9 +20,9 @@ std::vector<RoadMethod> main_road_methods() {
 }
 
 std::vector<RoadMethod> dust_methods() {
-  RoadMethod clean = road_method("snow stage", {});
-  clean.with_snow = true;
-  return {road_method("default", {}), clean};
+  RoadMethod bare = road_method("no snow stage", {});
+  bare.with_snow = false;
+  return {road_method("default", {}), bare};
 }
 
 std::vector<RoadMethod> changed_road_methods() {

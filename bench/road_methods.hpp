@@ -32,7 +32,7 @@ struct RoadMethod {
   std::string name;
   RoadSettings settings;
   bool is_reference = false;  ///< detector and map as published; the lines as by default
-  bool with_snow = false;     ///< the snow stage before the others, which takes dust for snow
+  bool with_snow = true;      ///< the snow stage before the others, which takes dust for snow
 };
 
 /// The default, with other values for keys: "section.key=value".

@@ -28,7 +28,7 @@ write_page() {
 # Haul roads: measured accuracy
 
 Written by `scripts/road_table.sh --write`; not to be edited. [Edges](edges.md) and [their map](edge_map.md) explain the
-methods: default ground stage, edges with the poses of gnss.tum at the time of each point, map, lines.
+methods: default snow and ground stages, edges with the poses of gnss.tum at the time of each point, map, lines.
 
 PAGE
   measure "$@"
