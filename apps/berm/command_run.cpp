@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <memory>
+#include <numbers>
 #include <thread>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -21,16 +23,18 @@
 namespace berm::app {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kRunExamples = R"(Examples:
   berm run recording --machine car -o out
   berm run recording -m groomer -o out --method piste=reference --method snow=reference
   berm run recording -m my_truck.yaml -o out --set mount.height_m=3.8 --first 100 --count 50
   berm run recording -m haul_truck -o out --poses ins.nmea --map yesterday/edges.ot
+  berm run today -m groomer -o out --localize yesterday --start 12.5,-3,90
 
 Writes out/labels/NAME.label for every scan, out/scans.csv with a line for each, out/boundary.csv with a piste method,
 out/edge_points.csv with an edge method, out/trajectory.tum if there are poses or an odometry method, and out/run.json last; then the
 page out/report.html, which shows all this. With an edge method and poses also the map of the road edges, out/edges.ot, and its lines, out/edges.csv, .geojson, .gpkg, .dxf.
-Ends with 0 if everything was done, 3 if scans were skipped (run.json says which and why), 1 if it failed, 2 for wrong usage.)";
+With --localize also out/trajectory_map.tum, where the machine was in that map, and out/localization.csv, how sure that is.
+Ends with 0 if everything was done, 3 if scans were skipped (run.json says which and why) or none could be located, 1 if it failed, 2 for wrong usage.)";
 
 struct RunCommand {
   Console console;
@@ -39,6 +43,7 @@ struct RunCommand {
   RunOptions options;
   std::size_t count = 0;
   bool map_surface = false;
+  std::vector<double> start;
 };
 
 double percent(std::uint64_t part, std::uint64_t whole) {
@@ -76,11 +81,15 @@ int report(const RunSummary& summary, const RunOptions& options) {
   if (summary.edges && summary.edges->has_map) {
     report_map(*summary.edges);
   }
+  const auto& located = summary.localization;
+  if (located) {
+    spdlog::info("located in the map: {} of {} scans", located->located, located->scans);
+  }
   if (counts.skipped > 0) {
     spdlog::warn("{} of {} scans were skipped, see {}/run.json", counts.skipped, counts.selected, output);
     return kWithLosses;
   }
-  return kWhole;
+  return located && located->located == 0 ? kWithLosses : kWhole;
 }
 
 /// The page about the run. The results stand without it.
@@ -92,9 +101,19 @@ void show(const Recording& recording, const RunOptions& options) {
   }
 }
 
+/// X,Y,YAW or X,Y,Z,YAW: the height is that of the ground in the map either way.
+Pose start_pose(const std::vector<double>& numbers) {
+  const double yaw_rad = numbers.back() * std::numbers::pi / 180.0;
+  const double z_m = numbers.size() == 4 ? numbers[2] : 0.0;
+  return Pose::from_yaw_pitch_roll(yaw_rad, 0.0, 0.0, {numbers[0], numbers[1], z_m});
+}
+
 int execute(RunCommand& command) {
   command.console.start();
   ChosenMachine chosen = command.machine.choose();
+  if (!command.start.empty()) {
+    command.options.start = start_pose(command.start);
+  }
   const Recording recording = Recording::open(command.recording);
   command.options.notes = adopt_sheet(chosen.machine, recording.sheet(), chosen.pinned);
   command.options.machine_file = chosen.file;
@@ -120,7 +139,7 @@ void add_run(CLI::App& app, int& exit_code) {
   options.threads = std::max(1U, std::thread::hardware_concurrency());
 
   CLI::App* sub = app.add_subcommand("run", "Label the points of a recording");
-  sub->footer(kExamples);
+  sub->footer(kRunExamples);
   sub->add_option("RECORDING", command->recording, "Sequence folder, KITTI folder, folder of scans, or one scan")
       ->required();
   command->machine.add_options(*sub, true);
@@ -143,6 +162,16 @@ void add_run(CLI::App& app, int& exit_code) {
   sub->add_option("--terrain", options.terrain,
                   "Elevation model of the ground without snow (GeoTIFF or ESRI ASCII grid), to measure snow depth from")
       ->type_name("FILE");
+  auto* localize = sub->add_option("--localize", options.localize,
+                                   "Locate the machine in a map of the surface: folder of a run with --map-surface")
+                       ->type_name("FOLDER");
+  sub->add_option("--start", command->start,
+                  "Where in that map the machine is at the first scan, roughly; else from the poses of the recording")
+      ->type_name("X,Y[,Z],YAW")
+      ->delimiter(',')
+      ->expected(3, 4)
+      ->check(CLI::Range(-1e9, 1e9))
+      ->needs(localize);
   command->console.add_options(*sub);
   sub->callback([command, count, &exit_code] {
     if (count->count() > 0) {

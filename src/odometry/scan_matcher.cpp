@@ -118,7 +118,7 @@ struct ScanMatcher::Equations {
   [[nodiscard]] Matrix6d rigid() const { return begin + 2.0 * mixed + end; }
 };
 
-void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const SurfaceMap& map, const PoseSteps& steps) {
+void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const Surfaces& map, const PoseSteps& steps) {
   pulls_.clear();
   const double noise_m2 = config_.noise_m * config_.noise_m;
   // The rings of a sensor lie at the same height on a wall wherever the machine is: clouds say nothing of height.
@@ -181,7 +181,7 @@ ScanMatcher::Equations ScanMatcher::weigh(const PoseSteps& steps, const Eigen::V
   return equations;
 }
 
-ScanMatch ScanMatcher::match(std::span<const ScanPoint> samples, const SurfaceMap& map, const MotionPrior& prior) {
+ScanMatch ScanMatcher::match(std::span<const ScanPoint> samples, const Surfaces& map, const MotionPrior& prior) {
   ScanMatch result{.motion = prior.expected};
   ScanPoses& motion = result.motion;
   double gate = kFirstGate;

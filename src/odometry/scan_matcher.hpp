@@ -33,7 +33,7 @@ class ScanMatcher {
  public:
   explicit ScanMatcher(const SurfaceOdometryConfig& config) : config_(config) {}
 
-  [[nodiscard]] ScanMatch match(std::span<const ScanPoint> samples, const SurfaceMap& map, const MotionPrior& prior);
+  [[nodiscard]] ScanMatch match(std::span<const ScanPoint> samples, const Surfaces& map, const MotionPrior& prior);
 
  private:
   /// The surface that a sample is drawn to, weights included.
@@ -49,7 +49,7 @@ class ScanMatcher {
   /// Normal equations of both poses; those of begin and end share their blocks.
   struct Equations;
 
-  void find_pulls(std::span<const ScanPoint> samples, const SurfaceMap& map, const PoseSteps& steps);
+  void find_pulls(std::span<const ScanPoint> samples, const Surfaces& map, const PoseSteps& steps);
   [[nodiscard]] Equations weigh(const PoseSteps& steps, const Eigen::Vector3d& center_m, double gate) const;
   static void add_plane(const Pull& pull, const Eigen::Vector3d& world_m, const Eigen::Vector3d& center_m, double gate,
                         Equations& equations);

@@ -53,9 +53,17 @@ struct SurfaceHit {
   Eigen::Vector3d mean_m;
 };
 
+/// What a scan is matched with.
+class Surfaces {
+ public:
+  virtual ~Surfaces() = default;
+  /// The surface at a place, for a point of the ground or for what stands on it. Valid until the map changes.
+  [[nodiscard]] virtual SurfaceHit find(const Eigen::Vector3d& world_m, bool is_ground) const = 0;
+};
+
 /// The surfaces around the machine, in voxels of three sizes: fine ones for what has shape, coarse ones for planes
 /// that are seen thinly, wide ones for ground between distant rings.
-class SurfaceMap {
+class SurfaceMap final : public Surfaces {
  public:
   explicit SurfaceMap(const SurfaceOdometryConfig& config);
 
@@ -63,7 +71,7 @@ class SurfaceMap {
   /// The surface at a place: the fine plane; else the fine cloud, but not for ground, of which rings draw clouds that
   /// come along with the machine; else the coarse plane; else, for ground, the wide one. Valid until the next `add` or
   /// `cut`.
-  [[nodiscard]] SurfaceHit find(const Eigen::Vector3d& world_m, bool is_ground) const;
+  [[nodiscard]] SurfaceHit find(const Eigen::Vector3d& world_m, bool is_ground) const override;
   void clear();
   /// Takes away what is farther from `center_m`.
   void cut(const Eigen::Vector3d& center_m, double radius_m);

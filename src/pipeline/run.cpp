@@ -20,6 +20,7 @@
 #include "berm/io/trajectory_file.hpp"
 #include "berm/pipeline/pipeline.hpp"
 #include "run_edges.hpp"
+#include "run_localize.hpp"
 #include "run_odometry.hpp"
 #include "run_report.hpp"
 #include "run_surface.hpp"
@@ -75,6 +76,7 @@ class Run {
         T_base_sensor_(machine.mount.T_base_sensor()),
         edges_(recording, machine, options, selected_count(recording, options)),
         odometry_(machine),
+        localize_(recording, machine, options, edges_.poses() ? &*edges_.poses() : nullptr),
         surface_(machine, options, edges_.poses() ? &*edges_.poses() : nullptr),
         maps_follow_(odometry_.is_on() && !edges_.poses() &&
                      (machine.methods.edge != "none" || machine.mapping.surface)) {
@@ -151,6 +153,9 @@ class Run {
       odometry_.write(output, files, summary_);
       const bool has_fixes = edges_.poses() && !edges_.poses()->trajectory.empty();
       odometry_.join(has_fixes ? &*edges_.poses() : nullptr, output, files, summary_);
+    }
+    if (localize_.is_on()) {
+      localize_.write(output, files, summary_);
     }
   }
 
@@ -314,8 +319,14 @@ class Run {
       return std::nullopt;
     }
     const StageClock clock;
-    odometry_.add(name, job.scan, job.labels);
-    return clock.stop();
+    const OdometryResult result = odometry_.add(name, job.scan, job.labels);
+    const StageTime time = clock.stop();
+    if (localize_.is_on()) {
+      const StageClock localize_clock;
+      localize_.add(name, job.scan, job.labels, result);
+      times_.localize.add(localize_clock.stop());
+    }
+    return time;
   }
 
   /// What it cost; nothing without a map.
@@ -407,6 +418,7 @@ class Run {
   Pose T_base_sensor_;
   RunEdges edges_;
   RunOdometry odometry_;
+  RunLocalize localize_;
   RunSurface surface_;
   const bool maps_follow_;  ///< made with the poses of the odometry, once all are known
   std::vector<std::unique_ptr<Pipeline>> pipelines_;

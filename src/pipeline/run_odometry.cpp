@@ -39,7 +39,7 @@ std::unique_ptr<Odometry> make_odometry(const Machine& machine) {
 
 RunOdometry::RunOdometry(const Machine& machine) : machine_(machine), odometry_(make_odometry(machine)) {}
 
-void RunOdometry::add(const std::string& name, const Scan& scan, std::span<const Label> labels) {
+OdometryResult RunOdometry::add(const std::string& name, const Scan& scan, std::span<const Label> labels) {
   const OdometryInput input{
       .points = scan.cloud.view(), .labels = labels, .stamp_ns = scan.stamp_ns, .T_base_sensor = scan.T_base_sensor};
   const OdometryResult result = odometry_->process(input);
@@ -60,6 +60,7 @@ void RunOdometry::add(const std::string& name, const Scan& scan, std::span<const
                         .samples = result.samples,
                         .inliers = result.inliers,
                         .iterations = result.iterations});
+  return result;
 }
 
 Trajectory RunOdometry::trajectory() const {

@@ -30,8 +30,9 @@ class RunOdometry {
   explicit RunOdometry(const Machine& machine);
 
   [[nodiscard]] bool is_on() const { return odometry_ != nullptr; }
-  /// For one thread, in the order of scans. Only if it is on. Throws as `Odometry::process`.
-  void add(const std::string& name, const Scan& scan, std::span<const Label> labels);
+  /// For one thread, in the order of scans. Only if it is on. What it returns is valid until the next call. Throws as
+  /// `Odometry::process`.
+  OdometryResult add(const std::string& name, const Scan& scan, std::span<const Label> labels);
 
   /// T_world_base at the stamps of all scans. The world begins at the first.
   [[nodiscard]] Trajectory trajectory() const;

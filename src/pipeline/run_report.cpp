@@ -82,6 +82,9 @@ Json describe(const RunTimes& times) {
   if (times.odometry.count() > 0) {
     json["odometry"] = describe(times.odometry);
   }
+  if (times.localize.count() > 0) {
+    json["localize"] = describe(times.localize);
+  }
   if (times.map.count() > 0) {
     json["map"] = describe(times.map);
   }
@@ -101,6 +104,21 @@ Json describe(const OdometryCounts& counts) {
           {"health", health},
           {"sessions", counts.sessions},
           {"path_m", std::round(counts.path_m * 1e3) / 1e3}};
+}
+
+Json describe(const LocalizationCounts& counts) {
+  Json health = Json::object();
+  for (std::size_t kind = 0; kind < kOdometryHealths; ++kind) {
+    health[std::string(health_name(static_cast<OdometryHealth>(kind)))] = counts.health[kind];
+  }
+  return {{"map", counts.map},
+          {"scans", counts.scans},
+          {"located", counts.located},
+          {"health", health},
+          {"first_s", counts.first_s ? Json(*counts.first_s) : Json(nullptr)},
+          {"mean_ground_fit", std::round(counts.mean_ground_fit * 1e4) / 1e4},
+          {"most_tiles", counts.most_tiles},
+          {"broken_tiles", counts.broken_tiles}};
 }
 
 Json describe(const Recording& recording, const RunOptions& options) {
@@ -135,6 +153,8 @@ OutputResults run_results() {
            "odometry.csv",
            "trajectory_global.tum",
            "trajectory_global.csv",
+           "trajectory_map.tum",
+           "localization.csv",
            "scans.csv",
            "times.csv",
            "report.html",
@@ -178,6 +198,9 @@ std::string write_run_report(const Recording& recording, const Machine& machine,
   }
   if (summary.odometry) {
     report["odometry"] = describe(*summary.odometry);
+  }
+  if (summary.localization) {
+    report["localization"] = describe(*summary.localization);
   }
   if (summary.edges) {
     report["edges"] = to_json(*summary.edges);

@@ -23,6 +23,7 @@ struct RunTimes {
   StageTimes read;
   std::array<StageTimes, kStages> stages;  ///< nothing in those that the machine leaves out
   StageTimes odometry;                     ///< nothing without an odometry method
+  StageTimes localize;                     ///< nothing unless a saved map was named
   StageTimes map;                          ///< nothing without a map
   StageTimes surface;                      ///< nothing without a map of the surface
   StageTimes write;

@@ -20,6 +20,7 @@
 #include "berm/map/road_survey.hpp"
 #include "berm/map/surface_tiles.hpp"
 #include "berm/odometry/feature_odometry.hpp"
+#include "berm/odometry/map_localizer.hpp"
 #include "berm/odometry/pose_graph.hpp"
 #include "berm/odometry/surface_odometry.hpp"
 #include "berm/piste/boundary_piste.hpp"
@@ -93,6 +94,7 @@ struct Machine {
   SurfaceOdometryConfig odometry;
   FeatureOdometryConfig odometry_reference;
   PoseGraphConfig pose_graph;
+  MapLocalizerConfig localize;
   EdgeMapConfig map;
   EdgeLinesConfig lines;
   RoadConfig road;
@@ -118,6 +120,7 @@ struct Machine {
     section("odometry", &Machine::odometry);
     section("odometry_reference", &Machine::odometry_reference);
     section("pose_graph", &Machine::pose_graph);
+    section("localize", &Machine::localize);
     section("map", &Machine::map);
     section("lines", &Machine::lines);
     section("road", &Machine::road);

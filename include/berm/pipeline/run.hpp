@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "berm/core/pose.hpp"
 #include "berm/core/pose_guard.hpp"
 #include "berm/core/road.hpp"
 #include "berm/io/datum.hpp"
@@ -35,6 +36,8 @@ struct RunOptions {
   std::filesystem::path poses;         ///< beats the poses of the recording; see `recognise_pose_file`
   std::filesystem::path map;           ///< edges.ot of an earlier run, which the map of this one continues
   std::filesystem::path terrain;       ///< beats mapping.terrain of the machine
+  std::filesystem::path localize;      ///< map of the surface of an earlier run, in which the machine is to be located
+  std::optional<Pose> start;           ///< roughly T_map_base at the first scan; none: from the poses
 
   /// Called on the calling thread after every scan with the number of scans done and their total.
   std::function<void(std::size_t, std::size_t)> on_progress;
@@ -79,6 +82,18 @@ struct OdometryCounts {
   std::array<std::size_t, kOdometryHealths> health{};  ///< scans in each, by OdometryHealth
   std::size_t sessions = 0;                            ///< more than one: it was lost for good and began anew
   double path_m = 0.0;
+};
+
+/// Where the machine was in a saved map.
+struct LocalizationCounts {
+  std::string map;
+  std::size_t scans = 0;
+  std::size_t located = 0;                             ///< those that are good or weak
+  std::array<std::size_t, kOdometryHealths> health{};  ///< scans in each, by OdometryHealth
+  std::optional<double> first_s;                       ///< from the first scan to the first that is located
+  double mean_ground_fit = 0.0;                        ///< of those that are located
+  std::size_t most_tiles = 0;                          ///< in memory at a time
+  std::size_t broken_tiles = 0;                        ///< that could not be read, and are left out
 };
 
 /// Values of RuleVerdict.
@@ -126,9 +141,10 @@ struct RunSummary {
   RunCounts counts;
   std::optional<PoseFigures> poses;
   std::optional<OdometryCounts> odometry;  ///< with an odometry method
-  std::optional<EdgeCounts> edges;         ///< with an edge method
-  std::optional<SurfaceCounts> surface;    ///< where one was made
-  std::vector<SkippedScan> skipped;        ///< the first `kListedSkips`
+  std::optional<LocalizationCounts> localization;
+  std::optional<EdgeCounts> edges;       ///< with an edge method
+  std::optional<SurfaceCounts> surface;  ///< where one was made
+  std::vector<SkippedScan> skipped;      ///< the first `kListedSkips`
   std::vector<std::string> notes;
   MountSummary mount;
   bool interrupted = false;  ///< `should_stop` ended it: run.json was not written
