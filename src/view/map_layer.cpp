@@ -22,20 +22,41 @@ class Cells {
   explicit Cells(double size_m) : per_m_(1.0 / size_m) {}
 
   /// Whether the cell of `point` was empty; it is not any more.
-  bool take(const SurfacePoint& point) { return taken_.insert(key_of(point)).second; }
+  bool take(const SurfacePoint& point) {
+    const std::uint64_t key = key_of(point);
+    // Points come row by row: most lie in the cell of the one before.
+    if (key == last_) {
+      return false;
+    }
+    last_ = key;
+    return taken_.insert(key).second;
+  }
 
  private:
+  /// The table takes the lowest bits of a hash, and neighbours differ in the higher ones of their keys: without mixing
+  /// they would all meet in a few places. The finalizer of SplitMix64 (Steele, Lea, Flood 2014).
+  struct Mix {
+    std::size_t operator()(std::uint64_t key) const {
+      key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9U;
+      key = (key ^ (key >> 27U)) * 0x94d049bb133111ebU;
+      return static_cast<std::size_t>(key ^ (key >> 31U));
+    }
+  };
+
   /// 21 bits an axis: 2 million cells, of a tile that is some hundred wide.
   [[nodiscard]] std::uint64_t key_of(const SurfacePoint& point) const {
     constexpr std::uint64_t kMask = (std::uint64_t{1} << 21U) - 1;
     const auto cell = [this](float value_m) {
-      return static_cast<std::uint64_t>(std::llround(std::floor(double{value_m} * per_m_))) & kMask;
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(double{value_m} * per_m_))) & kMask;
     };
     return (cell(point.x_m) << 42U) | (cell(point.y_m) << 21U) | cell(point.z_m);
   }
 
+  static constexpr std::uint64_t kNone = ~std::uint64_t{0};  // keys have 63 bits
+
   double per_m_;
-  tsl::robin_set<std::uint64_t> taken_;
+  std::uint64_t last_ = kNone;
+  tsl::robin_set<std::uint64_t, Mix> taken_;
 };
 
 TileKey joined_key(const TileKey& key) {

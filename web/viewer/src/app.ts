@@ -406,6 +406,7 @@ export class App implements Actions, Page {
     this.wantNew = false;
     const changed = this.picture.show();
     this.dirty ||= changed;
+    Object.assign(this.stage.canvas.dataset, this.picture.counts());
     const shown = this.runs.map((run) => run.view.current).join();
     if (shown !== this.shown && this.runs.some((run) => run.view.current >= 0)) this.shownChanged(shown);
     this.piste.show();

@@ -45,6 +45,12 @@ export class Picture {
     return changed;
   }
 
+  /** How many tiles of maps are drawn, and what is still on its way. */
+  counts(): { tiles: string; waiting: string } {
+    const tiles = this.page.runs.reduce((sum, run) => sum + run.view.shownTiles, 0);
+    return { tiles: String(tiles), waiting: String(this.page.loader.waiting) };
+  }
+
   /** True when the scans of this time are on the screen, or cannot be had. */
   isReady(): boolean {
     return this.page.runs.every((run, i) => {

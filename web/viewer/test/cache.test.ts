@@ -86,7 +86,7 @@ describe('loader', () => {
     await wire.answer('c');
     it.want(wanted);
     expect(wire.asked).toHaveLength(3);
-    expect(it.busy).toBe(false);
+    expect(it.waiting).toBe(0);
   });
 
   test('lets go of what is not wanted any more, and takes it up again when it is', async () => {

@@ -35,9 +35,9 @@ export class Loader<Value> {
     return this.failed.has(key);
   }
 
-  /** True while something that is wanted has not come yet. */
-  get busy(): boolean {
-    return this.running.size + this.queue.length > 0;
+  /** How much of what is wanted has not come yet. */
+  get waiting(): number {
+    return this.running.size + this.queue.length;
   }
 
   want(wanted: readonly Wanted<Value>[]): void {

@@ -35,13 +35,46 @@ export function makeEdges(edges: Edges): Object3D {
   return segments.build(edges.truth ? 2 : 4);
 }
 
+/** Pieces of a path at most: each is some triangles, and where the processor draws 10,000 of them take seconds. */
+const kMostPathPieces = 2000;
+/** A step between poses that is worth a piece of its own. */
+const kPathStep_m = 0.25;
+
+/** The poses that a path is drawn through: those at least a step from the last one, -1 where it is interrupted. */
+export function pathPoses(poses: PoseTable): number[] {
+  const { pose } = poses;
+  const apart = (i: number, k: number) =>
+    Math.hypot(
+      pose[7 * i]! - pose[7 * k]!,
+      pose[7 * i + 1]! - pose[7 * k + 1]!,
+      pose[7 * i + 2]! - pose[7 * k + 2]!,
+    );
+  let length_m = 0;
+  for (let i = 1; i < poses.count; ++i)
+    if (hasPose(poses, i - 1) && hasPose(poses, i)) length_m += apart(i - 1, i);
+  const step_m = Math.max(kPathStep_m, length_m / kMostPathPieces);
+  const kept: number[] = [];
+  for (let i = 0; i < poses.count; ++i) {
+    const last = kept.at(-1) ?? -1;
+    if (!hasPose(poses, i)) {
+      if (last >= 0) kept.push(-1);
+      continue;
+    }
+    const isEnd = !hasPose(poses, i + 1);
+    if (last < 0 || isEnd || apart(last, i) >= step_m) kept.push(i);
+  }
+  return kept;
+}
+
 export function makePath(poses: PoseTable, colour: Colour): Object3D {
   const segments = new SegmentBuilder();
   const tint = new Color(colour);
-  for (let i = 1; i < poses.count; ++i) {
-    if (!hasPose(poses, i - 1) || !hasPose(poses, i)) continue;
-    segments.add(poses.pose.subarray(7 * i - 7, 7 * i - 4), poses.pose.subarray(7 * i, 7 * i + 3), tint);
-  }
+  const at = (i: number) => poses.pose.subarray(7 * i, 7 * i + 3);
+  const kept = pathPoses(poses);
+  kept.forEach((i, k) => {
+    const before = kept[k - 1] ?? -1;
+    if (i >= 0 && before >= 0) segments.add(at(before), at(i), tint);
+  });
   return segments.build(2.5);
 }
 

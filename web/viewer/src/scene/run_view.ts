@@ -88,6 +88,10 @@ export class RunView {
     return this.scans;
   }
 
+  get shownTiles(): number {
+    return [...this.tiles.values()].filter(({ object }) => object.visible).length;
+  }
+
   /** All points that are drawn now. */
   *drawn(): Generator<PointObject> {
     for (const objects of [this.scans, this.tiles]) {
