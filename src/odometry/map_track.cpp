@@ -11,24 +11,24 @@ namespace {
 /// A point is on a surface if it is nearer to it than so many sigmas.
 constexpr double kOnMap = 3.0;
 /// With a smaller share of the points, what stands says nothing of the place.
-constexpr double kFewStanding = 0.05;
+constexpr double kFewStandingShare = 0.05;
 /// and fewer points in number say nothing at all.
 constexpr std::size_t kTelling = 20;
 
 /// How far odometry and map drift apart from scan to scan.
-constexpr double kDrift_m = 0.03;
-constexpr double kDrift_rad = 0.004;
+constexpr double kMapDrift_m = 0.03;
+constexpr double kMapDrift_rad = 0.004;
 /// Where a start may be off the place that it stands for: half a step between two starts, and a height and an attitude
 /// that were told from the ground beside it.
-constexpr double kStart_m = 0.6;
-constexpr double kStart_rad = 0.06;
+constexpr double kMapStart_m = 0.6;
+constexpr double kMapStart_rad = 0.06;
 /// Surfaces are looked for so far around at first.
 constexpr double kRoughNoise_m = 0.2;
 /// As in SurfaceTrack: a speed that nobody knows, and a scan shorter than this still leaves time to change it.
-constexpr double kUnknownSpeed = 10.0;
-constexpr std::size_t kUnknownScans = 3;
-constexpr double kLeastDuration_s = 0.05;
-constexpr double kRigid = 1e-6;
+constexpr double kMapUnknownSpeed = 10.0;
+constexpr std::size_t kMapUnknownScans = 3;
+constexpr double kLeastMapScan_s = 0.05;
+constexpr double kMapRigid = 1e-6;
 
 Vector6d both_sigmas(double translation_m, double rotation_rad) {
   Vector6d result;
@@ -76,7 +76,7 @@ double MapFit::standing_fit() const {
 }
 
 double MapFit::fit() const {
-  const double few = kFewStanding * static_cast<double>(ground + standing);
+  const double few = kFewStandingShare * static_cast<double>(ground + standing);
   if (static_cast<double>(standing) < few) {
     return ground_fit();
   }
@@ -125,10 +125,10 @@ MapSighting MapTrack::begin(std::span<const ScanPoint> samples, const Surfaces& 
   MotionPrior prior;
   prior.expected.T_world_begin = motion_.T_world_begin;
   prior.expected.T_world_end = motion.is_trusted ? motion_.T_world_begin * motion.T_begin_end : motion_.T_world_begin;
-  const double changes_s2 = motion.duration_s * (motion.is_trusted ? 1.0 : kUnknownSpeed) * motion.duration_s;
-  prior.displacement_sigma = both_sigmas(kRigid + matching_.acceleration_mps2 * changes_s2,
-                                         kRigid + matching_.turn_acceleration_rps2 * changes_s2);
-  prior.begin_sigma = both_sigmas(kStart_m, kStart_rad);
+  const double changes_s2 = motion.duration_s * (motion.is_trusted ? 1.0 : kMapUnknownSpeed) * motion.duration_s;
+  prior.displacement_sigma = both_sigmas(kMapRigid + matching_.acceleration_mps2 * changes_s2,
+                                         kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
+  prior.begin_sigma = both_sigmas(kMapStart_m, kMapStart_rad);
   SurfaceOdometryConfig rough = matching_;
   rough.noise_m = kRoughNoise_m;
   ScanMatcher matcher(rough);
@@ -139,14 +139,14 @@ MapSighting MapTrack::begin(std::span<const ScanPoint> samples, const Surfaces& 
 MapSighting MapTrack::follow(std::span<const ScanPoint> samples, const Surfaces& map, const MapMotion& motion) {
   MotionPrior prior;
   prior.expected = expect(motion);
-  const double unknown = !motion.is_trusted && seen_ < kUnknownScans ? kUnknownSpeed : 1.0;
+  const double unknown = !motion.is_trusted && seen_ < kMapUnknownScans ? kMapUnknownSpeed : 1.0;
   const double acceleration_mps2 = matching_.acceleration_mps2 * unknown;
   const double gap_s2 = motion.is_trusted ? 0.0 : motion.gap_s * motion.gap_s;
-  const double changes_s2 = motion.duration_s * std::max(motion.duration_s, kLeastDuration_s);
+  const double changes_s2 = motion.duration_s * std::max(motion.duration_s, kLeastMapScan_s);
   prior.begin_sigma =
-      both_sigmas(kDrift_m + acceleration_mps2 * gap_s2, kDrift_rad + matching_.turn_acceleration_rps2 * gap_s2);
-  prior.displacement_sigma =
-      both_sigmas(kRigid + acceleration_mps2 * changes_s2, kRigid + matching_.turn_acceleration_rps2 * changes_s2);
+      both_sigmas(kMapDrift_m + acceleration_mps2 * gap_s2, kMapDrift_rad + matching_.turn_acceleration_rps2 * gap_s2);
+  prior.displacement_sigma = both_sigmas(kMapRigid + acceleration_mps2 * changes_s2,
+                                         kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
   return match(samples, map, prior);
 }
 
