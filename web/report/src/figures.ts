@@ -1,5 +1,6 @@
 import { stretches, type Numbers, type Report, type Table } from './data';
 import { h } from './dom';
+import { elevationOf } from './elevation';
 import { fixed, percent, words } from './format';
 import { plotFigure, type Line, type Plot } from './plot';
 import { folded, scrolled, table } from './tables';
@@ -62,7 +63,7 @@ export function slopeFigures(report: Report): HTMLElement[] {
 export function heightFigures(report: Report): HTMLElement[] {
   const path = report.globalTrajectory ?? report.trajectory;
   if (!path || !isLevel(report)) return [];
-  return figure({
+  const over = figure({
     ...kTime,
     title: 'Height of the machine',
     note: 'above where it began.',
@@ -70,6 +71,26 @@ export function heightFigures(report: Report): HTMLElement[] {
     unit: 'm',
     lines: [{ name: 'height', values: path.z.map((z) => z - path.z[0]!), colour: 'c0' }],
   });
+  const { chainageM, heightM, slopePercent } = elevationOf(path);
+  if (chainageM.length < 2) return over;
+  const along = { xName: 'way', xUnit: 'm', sync: 'way', x: chainageM } as const;
+  return [
+    ...over,
+    ...figure({
+      ...along,
+      title: 'Elevation along the way',
+      note: 'above where it began, by the horizontal way driven.',
+      unit: 'm',
+      lines: [{ name: 'height', values: heightM, colour: 'c0' }],
+    }),
+    ...figure({
+      ...along,
+      title: 'Slope along the way',
+      note: 'uphill positive, over 10 m of way.',
+      unit: '%',
+      lines: [{ name: 'slope', values: slopePercent, colour: 'c1' }],
+    }),
+  ];
 }
 
 export function odometryFigures(report: Report): HTMLElement[] {
