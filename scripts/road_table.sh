@@ -34,6 +34,7 @@ PAGE
   measure "$@"
   measure "$@" --bars-only --seed-offset 1000
   measure "$@" --dust
+  measure "$@" --dust --seed-offset 1000
 }
 
 case "${1:-}" in
