@@ -6,6 +6,7 @@
 
 #include "berm/odometry/odometry.hpp"
 #include "berm/odometry/surface_odometry.hpp"
+#include "pull_equations.hpp"
 #include "scan_points.hpp"
 #include "scan_poses.hpp"
 #include "surface_map.hpp"
@@ -36,25 +37,7 @@ class ScanMatcher {
   [[nodiscard]] ScanMatch match(std::span<const ScanPoint> samples, const Surfaces& map, const MotionPrior& prior);
 
  private:
-  /// The surface that a sample is drawn to, weights included.
-  struct Pull {
-    SurfaceShape shape = SurfaceShape::unknown;
-    double share = 0.0;
-    Eigen::Vector3d base_m;
-    Eigen::Vector3d mean_m;
-    Eigen::Vector3d normal;
-    double variance_m2 = 0.0;
-    Eigen::Matrix3d information_per_m2;
-  };
-  /// Normal equations of both poses; those of begin and end share their blocks.
-  struct Equations;
-
   void find_pulls(std::span<const ScanPoint> samples, const Surfaces& map, const PoseSteps& steps);
-  [[nodiscard]] Equations weigh(const PoseSteps& steps, const Eigen::Vector3d& center_m, double gate) const;
-  static void add_plane(const Pull& pull, const Eigen::Vector3d& world_m, const Eigen::Vector3d& center_m, double gate,
-                        Equations& equations);
-  static void add_cloud(const Pull& pull, const Eigen::Vector3d& world_m, const Eigen::Vector3d& center_m, double gate,
-                        Equations& equations);
 
   SurfaceOdometryConfig config_;
   std::vector<Pull> pulls_;

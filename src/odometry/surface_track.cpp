@@ -19,7 +19,11 @@ constexpr std::size_t kUnknownScans = 4;
 /// A scan shorter than this still leaves the machine time to change its motion.
 constexpr double kLeastDuration_s = 0.05;
 /// Below this share of what is known, the scan says next to nothing.
-constexpr double kWeak = 0.05;
+constexpr double kWeak = 0.085;
+/// With fewer voxels that hold more than ground, only its waves tell how far the machine went. They say little, and
+/// with all neighbouring points erring together (`points_per_fact`) a prior of the usual width would drown them out.
+constexpr std::size_t kBareStanding = 20;
+constexpr double kBareWidth = 3.0;
 /// A standing machine fills its map with this many scans, and adds none until it moved.
 constexpr std::size_t kFullMap = 30;
 constexpr double kMoved_m = 0.05;
@@ -47,7 +51,9 @@ MotionPrior SurfaceTrack::expect(double gap_s, double duration_s) const {
   prior.expected.T_world_begin = T_world_end_ * Pose::exp(gap_s * velocity_);
   prior.expected.T_world_end = prior.expected.T_world_begin * Pose::exp(duration_s * velocity_);
   const bool is_unsure = !guess_.is_sure && mapped_ < kUnknownScans;
-  const double acceleration_mps2 = config_.acceleration_mps2 * (is_unsure ? kUnknownSpeed : 1.0);
+  const double acceleration_mps2 = config_.acceleration_mps2 * (is_unsure   ? kUnknownSpeed
+                                                                : is_bare() ? kBareWidth
+                                                                            : 1.0);
   const double turn_acceleration_rps2 = config_.turn_acceleration_rps2 * (is_unsure ? kUnknownTurn : 1.0);
   // Over a gap the velocity changes as it does over a scan, and the place by its integral.
   const double missed_s2 = gap_s * gap_s;
@@ -92,7 +98,7 @@ OdometryResult SurfaceTrack::add(std::span<const ScanPoint> samples, std::span<c
       motion = match.motion;
       velocity_ = velocity_to(motion, gap_s + duration_s);
       lost_ = 0;
-      result.health = match.weakest < kWeak ? OdometryHealth::weak : OdometryHealth::good;
+      result.health = match.weakest < kWeak || is_bare() ? OdometryHealth::weak : OdometryHealth::good;
     } else {
       ++lost_;
       result.health = OdometryHealth::lost;
@@ -117,6 +123,10 @@ OdometryResult SurfaceTrack::add(std::span<const ScanPoint> samples, std::span<c
     }
   }
   return result;
+}
+
+bool SurfaceTrack::is_bare() const {
+  return map_.standing() < kBareStanding;
 }
 
 bool SurfaceTrack::is_worth_mapping(const ScanPoses& motion) const {

@@ -1,5 +1,6 @@
 #include "surface_map.hpp"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -79,6 +80,28 @@ TEST_F(SurfaceMapTest, CutLeavesWhatIsNear) {
   }
   map_.cut(Eigen::Vector3d::Zero(), 10.0);
   EXPECT_EQ(map_.size(), 20U);
+}
+
+TEST_F(SurfaceMapTest, CutLeavesToEveryPlaceItsOwnSurface) {
+  const auto height_m = [](double x_m) { return 0.25 + 0.2 * std::sin(x_m); };
+  for (int i = 0; i < 60'000; ++i) {
+    const double x_m = 0.5 * std::floor(even(-100.0, 100.0)) + even(0.0, 0.5);
+    map_.add({x_m, even(0.0, 0.5), height_m(std::floor(2.0 * x_m))}, true);
+  }
+  map_.cut(Eigen::Vector3d::Zero(), 20.0);
+  std::size_t found = 0;
+  for (double x_m = -49.75; x_m < 50.0; x_m += 0.5) {
+    const double z_m = height_m(std::floor(2.0 * x_m));
+    const SurfaceHit hit = map_.find({x_m, 0.25, z_m}, true);
+    if (hit.cell != nullptr && std::abs(x_m) < 18.0) {
+      ++found;
+      EXPECT_NEAR(hit.mean_m.x(), x_m, 0.15);
+      EXPECT_NEAR(hit.mean_m.z(), z_m, 0.01);
+    } else {
+      EXPECT_TRUE(std::abs(x_m) > 18.0) << x_m;
+    }
+  }
+  EXPECT_GT(found, 60U);
 }
 
 }  // namespace

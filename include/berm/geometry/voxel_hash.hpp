@@ -27,14 +27,40 @@ struct VoxelKey {
 constexpr std::int32_t kMaxVoxelKey = 1 << 30;
 
 /// The voxel of side `voxel_m` (> 0) that holds a point; none for NaN, Inf and what lies too far out to be counted.
-[[nodiscard]] std::optional<VoxelKey> voxel_key(const Eigen::Vector3d& point_m, double voxel_m);
+[[nodiscard]] inline std::optional<VoxelKey> voxel_key(const Eigen::Vector3d& point_m, double voxel_m) {
+  const Eigen::Vector3d place = point_m / voxel_m;
+  // Compared as doubles, because casting NaN or what no integer holds is undefined.
+  const auto countable = [](double value) { return value >= -kMaxVoxelKey && value < kMaxVoxelKey + 1.0; };
+  if (!countable(place.x()) || !countable(place.y()) || !countable(place.z())) {
+    return std::nullopt;
+  }
+  // std::floor is a call where the instruction set has no rounding.
+  const auto floor_of = [](double value) {
+    const auto cut = static_cast<std::int32_t>(value);
+    return cut - (value < cut ? 1 : 0);
+  };
+  return VoxelKey{floor_of(place.x()), floor_of(place.y()), floor_of(place.z())};
+}
 
 /// Middle of a voxel.
-[[nodiscard]] Eigen::Vector3d voxel_center_m(const VoxelKey& key, double voxel_m);
+[[nodiscard]] inline Eigen::Vector3d voxel_center_m(const VoxelKey& key, double voxel_m) {
+  return {(key.x + 0.5) * voxel_m, (key.y + 0.5) * voxel_m, (key.z + 0.5) * voxel_m};
+}
 
 /// Spreads neighbouring keys over all bits.
 struct VoxelKeyHash {
-  [[nodiscard]] std::size_t operator()(const VoxelKey& key) const noexcept;
+  [[nodiscard]] std::size_t operator()(const VoxelKey& key) const noexcept {
+    const auto bits = [](std::int32_t value) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)); };
+    return static_cast<std::size_t>(stir(stir(bits(key.x) | (bits(key.y) << 32U)) + bits(key.z)));
+  }
+
+ private:
+  /// Last step of splitmix64 (Steele, Lea, Flood 2014): every bit of the input changes half of the output.
+  [[nodiscard]] static std::uint64_t stir(std::uint64_t bits) noexcept {
+    bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
+    bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
+    return bits ^ (bits >> 31U);
+  }
 };
 
 /// Values of the voxels that have one. Memory follows the number of voxels, also down, after the next insertion.
