@@ -138,6 +138,7 @@ ScanMatch ScanMatcher::match(std::span<const ScanPoint> samples, const Surfaces&
     motion.T_world_end = moved(motion.T_world_end, step.tail<6>(), center_m);
 
     result.iterations = i + 1;
+    result.met = pulls_.size();
     result.inliers = equations.inliers;
     result.weakest = weakest_share(facts * equations.rigid(), terms.of_displacement);
     result.covariance = solver.solve(Matrix12d::Identity()).bottomRightCorner<6, 6>();

@@ -24,6 +24,7 @@ struct ScanMatch {
   ScanPoses motion;
   Matrix6d covariance = Matrix6d::Zero();  ///< of T_world_end
   double weakest = 0.0;
+  std::size_t met = 0;  ///< samples for which the map has a surface
   std::size_t inliers = 0;
   std::size_t iterations = 0;
   bool is_sound = false;  ///< enough inliers, and finite

@@ -41,6 +41,8 @@ class SurfaceTrack {
   [[nodiscard]] ScanMatch match_second(std::span<const ScanPoint> samples, double gap_s, double duration_s);
   [[nodiscard]] Vector6d velocity_to(const ScanPoses& motion, double time_s) const;
   void put_into_map(std::span<const ScanPoint> points, const ScanPoses& motion);
+  [[nodiscard]] bool fits(const ScanMatch& match) const;
+  /// Whether hardly anything but ground is seen.
   [[nodiscard]] bool is_bare() const;
   [[nodiscard]] bool is_worth_mapping(const ScanPoses& motion) const;
 
