@@ -26,6 +26,8 @@ constexpr double kMapStart_rad = 0.06;
 constexpr double kRoughNoise_m = 0.2;
 /// As in SurfaceTrack: a speed that nobody knows, and a scan shorter than this still leaves time to change it.
 constexpr double kMapUnknownSpeed = 10.0;
+/// Less than the odometry's: a wide prior lets a wrong place follow the waves of the ground as long as the right one.
+constexpr double kMapAcceleration_mps2 = 3.0;
 constexpr std::size_t kMapUnknownScans = 3;
 constexpr double kLeastMapScan_s = 0.05;
 constexpr double kMapRigid = 1e-6;
@@ -126,7 +128,7 @@ MapSighting MapTrack::begin(std::span<const ScanPoint> samples, const Surfaces& 
   prior.expected.T_world_begin = motion_.T_world_begin;
   prior.expected.T_world_end = motion.is_trusted ? motion_.T_world_begin * motion.T_begin_end : motion_.T_world_begin;
   const double changes_s2 = motion.duration_s * (motion.is_trusted ? 1.0 : kMapUnknownSpeed) * motion.duration_s;
-  prior.displacement_sigma = both_sigmas(kMapRigid + matching_.acceleration_mps2 * changes_s2,
+  prior.displacement_sigma = both_sigmas(kMapRigid + kMapAcceleration_mps2 * changes_s2,
                                          kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
   prior.begin_sigma = both_sigmas(kMapStart_m, kMapStart_rad);
   SurfaceOdometryConfig rough = matching_;
@@ -140,7 +142,7 @@ MapSighting MapTrack::follow(std::span<const ScanPoint> samples, const Surfaces&
   MotionPrior prior;
   prior.expected = expect(motion);
   const double unknown = !motion.is_trusted && seen_ < kMapUnknownScans ? kMapUnknownSpeed : 1.0;
-  const double acceleration_mps2 = matching_.acceleration_mps2 * unknown;
+  const double acceleration_mps2 = kMapAcceleration_mps2 * unknown;
   const double gap_s2 = motion.is_trusted ? 0.0 : motion.gap_s * motion.gap_s;
   const double changes_s2 = motion.duration_s * std::max(motion.duration_s, kLeastMapScan_s);
   prior.begin_sigma =
