@@ -138,7 +138,8 @@ bool MapSearch::is_decided() const {
 std::optional<MapTrack> MapSearch::process(std::span<const ScanPoint> samples, const MapTiles& map,
                                            const MapMotion& motion, const Pose& T_map_base) {
   follow_places(samples, map, motion);
-  // The likeliest with every scan, but not for ever: a new rival that was not yet told apart would hold up the decision.
+  // The likeliest with every scan, but not for ever: a new rival that was not yet told apart would hold up the
+  // decision.
   if (next_ > 0 && !is_swept()) {
     try_start({Eigen::Vector2d::Zero(), 0.0}, samples, map, motion, T_map_base);
   }
