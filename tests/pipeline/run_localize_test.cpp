@@ -36,9 +36,7 @@ class RunLocalizeTest : public testing::Test {
     made_ = std::make_unique<test::TempFolder>();
     drive("mapped", 6.0, 4.0, 5);
     drive("again", 8.0, 3.0, 5);
-    drive("elsewhere", 8.0, 3.0, 6);
     fs::remove(*made_ / "again/gnss.tum");
-    fs::remove(*made_ / "elsewhere/gnss.tum");
     Machine machine = truck();
     machine.methods.odometry = "none";
     machine.mapping.surface = true;
@@ -135,6 +133,8 @@ TEST_F(RunLocalizeTest, AnyNumberOfThreadsGivesTheSameBytes) {
 }
 
 TEST_F(RunLocalizeTest, TheMapOfAnotherRoadIsNeverTakenForThisOne) {
+  drive("elsewhere", 8.0, 3.0, 6);
+  fs::remove(*made_ / "elsewhere/gnss.tum");
   const RunSummary summary = localize("elsewhere", {.start = start(0.0, 0.0, 0.0)});
   EXPECT_EQ(summary.localization->located, 0U);
   EXPECT_FALSE(fs::exists(out_ / "trajectory_map.tum"));
