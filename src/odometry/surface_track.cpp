@@ -19,7 +19,7 @@ constexpr std::size_t kUnknownScans = 4;
 /// A scan shorter than this still leaves the machine time to change its motion.
 constexpr double kLeastDuration_s = 0.05;
 /// Below this share of what is known, the scan says next to nothing.
-constexpr double kWeak = 0.085;
+constexpr double kWeak = 0.067;
 /// With fewer voxels that hold more than ground, only its waves tell how far the machine went. They say little, and
 /// with all neighbouring points erring together (`points_per_fact`) a prior of the usual width would drown them out.
 constexpr std::size_t kBareStanding = 20;

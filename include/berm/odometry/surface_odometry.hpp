@@ -28,7 +28,7 @@ struct SurfaceOdometryConfig {
   bool deskew = true;
   bool find_start = true;
   // How the machine moves.
-  double acceleration_mps2 = 4.0;
+  double acceleration_mps2 = 3.5;
   double turn_acceleration_rps2 = 0.7;
 
   static void fields(auto&& field);
