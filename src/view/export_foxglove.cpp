@@ -143,17 +143,18 @@ ExportSummary export_foxglove(const ShownRun& run, const std::filesystem::path& 
 }
 
 std::string foxglove_layout() {
-  using Json = nlohmann::ordered_json;
-  const Json points = {{"visible", true}, {"colorMode", "rgba-fields"}, {"colorField", "red"}, {"pointSize", 3}};
-  const Json view = {{"followTf", kBase},
-                     {"followMode", "follow-pose"},
-                     {"topics", {{"/points", points}, {"/pose", {{"visible", true}}}, {"/edges", {{"visible", true}}}}},
-                     {"layers", {{"grid", {{"layerId", "foxglove.Grid"}, {"visible", true}, {"size", 100}}}}}};
-  const Json layout = {{"configById", {{"3D!berm", view}}},
-                       {"globalVariables", Json::object()},
-                       {"userNodes", Json::object()},
-                       {"playbackConfig", {{"speed", 1}}},
-                       {"layout", "3D!berm"}};
+  using LayoutJson = nlohmann::ordered_json;
+  const LayoutJson points = {{"visible", true}, {"colorMode", "rgba-fields"}, {"colorField", "red"}, {"pointSize", 3}};
+  const LayoutJson view = {
+      {"followTf", kBase},
+      {"followMode", "follow-pose"},
+      {"topics", {{"/points", points}, {"/pose", {{"visible", true}}}, {"/edges", {{"visible", true}}}}},
+      {"layers", {{"grid", {{"layerId", "foxglove.Grid"}, {"visible", true}, {"size", 100}}}}}};
+  const LayoutJson layout = {{"configById", {{"3D!berm", view}}},
+                             {"globalVariables", LayoutJson::object()},
+                             {"userNodes", LayoutJson::object()},
+                             {"playbackConfig", {{"speed", 1}}},
+                             {"layout", "3D!berm"}};
   return layout.dump(2) + "\n";
 }
 

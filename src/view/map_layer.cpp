@@ -152,8 +152,8 @@ void MapLayer::add_tile(const TileKey& key) {
 }
 
 std::string MapLayer::describe() const {
-  using Json = nlohmann::ordered_json;
-  Json list = Json::array();
+  using TilesJson = nlohmann::ordered_json;
+  TilesJson list = TilesJson::array();
   Eigen::AlignedBox3f box_m;
   for (std::size_t id = 0; id < tiles_.size(); ++id) {
     const Tile& tile = tiles_[id];
@@ -171,9 +171,9 @@ std::string MapLayer::describe() const {
   if (box_m.isEmpty()) {
     box_m.extend(Eigen::Vector3f::Zero());
   }
-  const Json map = {{"bounds", {{"min", to_json(box_m.min())}, {"max", to_json(box_m.max())}}},
-                    {"channels", std::uint32_t{kPayloadIntensity} | kPayloadLabel},
-                    {"tiles", std::move(list)}};
+  const TilesJson map = {{"bounds", {{"min", to_json(box_m.min())}, {"max", to_json(box_m.max())}}},
+                         {"channels", std::uint32_t{kPayloadIntensity} | kPayloadLabel},
+                         {"tiles", std::move(list)}};
   return map.dump();
 }
 
