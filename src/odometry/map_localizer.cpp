@@ -20,7 +20,7 @@ namespace {
 constexpr double kFarthest_m = 50.0;
 /// Samples for places that are looked at by the dozen.
 constexpr std::size_t kSearchSamples = 600;
-/// Below this share of what is known, the scan says next to nothing; as in the odometry.
+/// Below this share of what is known, the scan says next to nothing.
 constexpr double kWeakShare = 0.05;
 /// Once the machine is located, a scan may fit by this factor worse.
 constexpr double kStay = 0.9;
