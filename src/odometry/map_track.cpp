@@ -32,12 +32,6 @@ constexpr std::size_t kMapUnknownScans = 3;
 constexpr double kLeastMapScan_s = 0.05;
 constexpr double kMapRigid = 1e-6;
 
-Vector6d both_sigmas(double translation_m, double rotation_rad) {
-  Vector6d result;
-  result << Eigen::Vector3d::Constant(translation_m), Eigen::Vector3d::Constant(rotation_rad);
-  return result;
-}
-
 /// Squared distance to a surface in shares of the farthest that is on it; 1 for all that are not on it.
 double error_of(const SurfaceHit& hit, const Eigen::Vector3d& map_m, double noise_m) {
   if (hit.cell == nullptr) {
@@ -128,9 +122,9 @@ MapSighting MapTrack::begin(std::span<const ScanPoint> samples, const Surfaces& 
   prior.expected.T_world_begin = motion_.T_world_begin;
   prior.expected.T_world_end = motion.is_trusted ? motion_.T_world_begin * motion.T_begin_end : motion_.T_world_begin;
   const double changes_s2 = motion.duration_s * (motion.is_trusted ? 1.0 : kMapUnknownSpeed) * motion.duration_s;
-  prior.displacement_sigma = both_sigmas(kMapRigid + kMapAcceleration_mps2 * changes_s2,
+  prior.displacement_sigma = motion_sigmas(kMapRigid + kMapAcceleration_mps2 * changes_s2,
                                          kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
-  prior.begin_sigma = both_sigmas(kMapStart_m, kMapStart_rad);
+  prior.begin_sigma = motion_sigmas(kMapStart_m, kMapStart_rad);
   SurfaceOdometryConfig rough = matching_;
   rough.noise_m = kRoughNoise_m;
   ScanMatcher matcher(rough);
@@ -146,8 +140,8 @@ MapSighting MapTrack::follow(std::span<const ScanPoint> samples, const Surfaces&
   const double gap_s2 = motion.is_trusted ? 0.0 : motion.gap_s * motion.gap_s;
   const double changes_s2 = motion.duration_s * std::max(motion.duration_s, kLeastMapScan_s);
   prior.begin_sigma =
-      both_sigmas(kMapDrift_m + acceleration_mps2 * gap_s2, kMapDrift_rad + matching_.turn_acceleration_rps2 * gap_s2);
-  prior.displacement_sigma = both_sigmas(kMapRigid + acceleration_mps2 * changes_s2,
+      motion_sigmas(kMapDrift_m + acceleration_mps2 * gap_s2, kMapDrift_rad + matching_.turn_acceleration_rps2 * gap_s2);
+  prior.displacement_sigma = motion_sigmas(kMapRigid + acceleration_mps2 * changes_s2,
                                          kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
   return match(samples, map, prior);
 }

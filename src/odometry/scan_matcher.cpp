@@ -86,6 +86,12 @@ PriorTerms prior_terms(const MotionPrior& prior, const ScanPoses& motion, const 
 
 }  // namespace
 
+Vector6d motion_sigmas(double translation_m, double rotation_rad) {
+  Vector6d result;
+  result << Eigen::Vector3d::Constant(translation_m), Eigen::Vector3d::Constant(rotation_rad);
+  return result;
+}
+
 void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const Surfaces& map, const PoseSteps& steps) {
   pulls_.clear();
   const double noise_m2 = config_.noise_m * config_.noise_m;

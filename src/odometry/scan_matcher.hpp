@@ -20,6 +20,9 @@ struct MotionPrior {
   Vector6d displacement_sigma;  ///< of the displacement during the scan, frame of the base
 };
 
+/// Sigmas for a `MotionPrior`: the same along all axes.
+[[nodiscard]] Vector6d motion_sigmas(double translation_m, double rotation_rad);
+
 struct ScanMatch {
   ScanPoses motion;
   Matrix6d covariance = Matrix6d::Zero();  ///< of T_world_end

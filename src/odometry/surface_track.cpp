@@ -36,12 +36,6 @@ constexpr std::size_t kSecondLooks = 4;
 /// The map is cut every so many scans.
 constexpr std::size_t kCutEvery = 20;
 
-Vector6d sigmas(double translation_m, double rotation_rad) {
-  Vector6d result;
-  result << Eigen::Vector3d::Constant(translation_m), Eigen::Vector3d::Constant(rotation_rad);
-  return result;
-}
-
 }  // namespace
 
 SurfaceTrack::SurfaceTrack(const SurfaceOdometryConfig& config, const StartGuess& guess, const Pose& T_world_base)
@@ -60,10 +54,10 @@ MotionPrior SurfaceTrack::expect(double gap_s, double duration_s) const {
   const double turn_acceleration_rps2 = config_.turn_acceleration_rps2 * (is_unsure ? kUnknownTurn : 1.0);
   // Over a gap the velocity changes as it does over a scan, and the place by its integral.
   const double missed_s2 = gap_s * gap_s;
-  prior.begin_sigma = sigmas(kSeam_m + acceleration_mps2 * missed_s2, kSeam_rad + turn_acceleration_rps2 * missed_s2);
+  prior.begin_sigma = motion_sigmas(kSeam_m + acceleration_mps2 * missed_s2, kSeam_rad + turn_acceleration_rps2 * missed_s2);
   const double changes_s2 = duration_s * (std::max(duration_s, kLeastDuration_s) + gap_s);
   prior.displacement_sigma =
-      sigmas(kRigid + acceleration_mps2 * changes_s2, kRigid + turn_acceleration_rps2 * changes_s2);
+      motion_sigmas(kRigid + acceleration_mps2 * changes_s2, kRigid + turn_acceleration_rps2 * changes_s2);
   return prior;
 }
 
