@@ -121,8 +121,9 @@ bool RoadSightings::find_spot(const Eigen::Vector3d& point_m, Spot& spot) {
   if (!(std::abs(x_m) < kReach_m && std::abs(y_m) < kReach_m && std::abs(above_m) < kLevels_m)) {
     return false;
   }
-  int nearest = nearest_in_cell(static_cast<int>((x_m + kReach_m) / kSightingCell_m),
-                                static_cast<int>((y_m + kReach_m) / kSightingCell_m));
+  // The last place before the reach, added to it, rounds to twice the reach.
+  const auto cell_of = [](float m) { return std::min(static_cast<int>((m + kReach_m) / kSightingCell_m), kCells - 1); };
+  int nearest = nearest_in_cell(cell_of(x_m), cell_of(y_m));
   const auto squared_to = [&](int place) {
     const WindowPlace& w = window_[static_cast<std::size_t>(place)];
     return (w.x_m - x_m) * (w.x_m - x_m) + (w.y_m - y_m) * (w.y_m - y_m);
