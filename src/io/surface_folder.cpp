@@ -125,6 +125,36 @@ std::uint64_t announced_points(std::string_view text, const std::string& name) {
   return points;
 }
 
+void parse_tile_into(std::span<const std::byte> bytes, const std::string& name, std::vector<SurfacePoint>& points) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::uint64_t count = announced_points(text, name);
+  const std::span<const std::byte> body = bytes.subspan(header_of(kTileFields, count).size());
+  if (body.size() % kTileRecord != 0 || body.size() / kTileRecord != count) {
+    refuse_tile(name,
+                fmt::format("holds {} bytes of points, expected {} points of {}", body.size(), count, kTileRecord),
+                body.size() / kTileRecord < count ? ErrorCode::truncated : ErrorCode::malformed);
+  }
+  points.resize(count);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    SurfacePoint& point = points[i];
+    Unpacker unpacker(body.data() + i * kTileRecord);
+    std::uint32_t id = 0;
+    for (float* value : {&point.x_m, &point.y_m, &point.z_m, &point.intensity}) {
+      unpacker.take(*value);
+    }
+    unpacker.take(id);
+    unpacker.take(point.count);
+    for (std::uint16_t* value : {&point.drivable, &point.terrain, &point.obstacle, &point.hits, &point.passes}) {
+      unpacker.take(*value);
+    }
+    const auto label = label_of(id);
+    if (!label || !std::isfinite(point.x_m) || !std::isfinite(point.y_m) || !std::isfinite(point.z_m)) {
+      refuse_tile(name, fmt::format("point {} has no place, or the label {}", i, id));
+    }
+    point.label = *label;
+  }
+}
+
 double number_in(const OrderedJson& json, const char* key, double most, const std::string& name) {
   const auto place = json.find(key);
   if (place == json.end() || !place->is_number() || !(std::abs(place->get<double>()) <= most)) {
@@ -205,33 +235,8 @@ SurfaceIndex parse_surface_index(std::string_view text, const std::string& name)
 }
 
 std::vector<SurfacePoint> parse_surface_tile(std::span<const std::byte> bytes, const std::string& name) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const std::uint64_t count = announced_points(text, name);
-  const std::span<const std::byte> body = bytes.subspan(header_of(kTileFields, count).size());
-  if (body.size() % kTileRecord != 0 || body.size() / kTileRecord != count) {
-    refuse_tile(name,
-                fmt::format("holds {} bytes of points, expected {} points of {}", body.size(), count, kTileRecord),
-                body.size() / kTileRecord < count ? ErrorCode::truncated : ErrorCode::malformed);
-  }
-  std::vector<SurfacePoint> points(count);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    SurfacePoint& point = points[i];
-    Unpacker unpacker(body.data() + i * kTileRecord);
-    std::uint32_t id = 0;
-    for (float* value : {&point.x_m, &point.y_m, &point.z_m, &point.intensity}) {
-      unpacker.take(*value);
-    }
-    unpacker.take(id);
-    unpacker.take(point.count);
-    for (std::uint16_t* value : {&point.drivable, &point.terrain, &point.obstacle, &point.hits, &point.passes}) {
-      unpacker.take(*value);
-    }
-    const auto label = label_of(id);
-    if (!label || !std::isfinite(point.x_m) || !std::isfinite(point.y_m) || !std::isfinite(point.z_m)) {
-      refuse_tile(name, fmt::format("point {} has no place, or the label {}", i, id));
-    }
-    point.label = *label;
-  }
+  std::vector<SurfacePoint> points;
+  parse_tile_into(bytes, name, points);
   return points;
 }
 
@@ -257,17 +262,23 @@ std::uint64_t SurfaceFolder::points() const {
 }
 
 std::vector<SurfacePoint> SurfaceFolder::load(const TileKey& key) const {
+  SurfaceTileBuffer buffer;
+  load(key, buffer);
+  return std::move(buffer.points);
+}
+
+void SurfaceFolder::load(const TileKey& key, SurfaceTileBuffer& buffer) const {
   const auto place = index_.tiles.find(key);
   if (place == index_.tiles.end()) {
-    return {};
+    buffer.points.clear();
+    return;
   }
   const fs::path file = folder_ / place->second.file;
-  FileBuffer buffer;
-  std::vector<SurfacePoint> points = parse_surface_tile(read_file(file, buffer), file.string());
-  if (points.size() != place->second.points) {
-    refuse_tile(file.string(), fmt::format("holds {} points, the index says {}", points.size(), place->second.points));
+  parse_tile_into(read_file(file, buffer.file), file.string(), buffer.points);
+  if (buffer.points.size() != place->second.points) {
+    refuse_tile(file.string(),
+                fmt::format("holds {} points, the index says {}", buffer.points.size(), place->second.points));
   }
-  return points;
 }
 
 void SurfaceFolder::save(const TileKey& key, std::span<const SurfacePoint> points) {

@@ -11,10 +11,12 @@
 #include "berm/io/csv_table.hpp"
 #include "berm/io/edge_lines_file.hpp"
 #include "berm/io/file_reader.hpp"
+#include "berm/io/height_raster.hpp"
 #include "berm/io/trajectory_file.hpp"
 #include "berm/report/report.hpp"
 #include "map_parts.hpp"
 #include "table_parts.hpp"
+#include "terrain_part.hpp"
 
 namespace berm {
 namespace {
@@ -81,6 +83,7 @@ class Collector {
       }
       return edges_part(lines, origin_m_.value_or(Eigen::Vector3d::Zero()));
     });
+    add_terrain();
     if (origin_m_) {
       json_["origin_m"] = {origin_m_->x(), origin_m_->y(), origin_m_->z()};
     }
@@ -117,6 +120,19 @@ class Collector {
       }
       return trajectory_part(trajectory, start_ns(first.stamp_ns), *origin_m_);
     });
+  }
+
+  /// A GeoTIFF, or a grid where the program that wrote it had no GDAL.
+  void add_terrain() {
+    const auto read = [this](const fs::path& file) {
+      const HeightRaster raster = read_height_raster(file);
+      return terrain_part(raster, origin_m_.value_or(Eigen::Vector3d::Zero()));
+    };
+    for (const char* name : {"elevation.tif", "elevation.asc"}) {
+      if (!json_.contains("terrain")) {
+        add("terrain", name, read);
+      }
+    }
   }
 
   /// Stamp of the first scan, from which all times count.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +27,7 @@ inline constexpr double kMapLevelVoxels[kMapLevels] = {16.0, 4.0, 1.0};
 
 /// Which level each point is in: the coarsest whose cell has no point yet. The same points in the same order give the
 /// same levels.
-[[nodiscard]] std::vector<std::uint8_t> choose_map_levels(std::span<const SurfacePoint> points, double voxel_m);
+void choose_map_levels(std::span<const SurfacePoint> points, double voxel_m, std::vector<std::uint8_t>& levels);
 
 /// The map of a run in tiles of several levels of detail. The coarsest is kept in memory, joined to large tiles (1/256
 /// of the points of a surface, at most `kMaxCoarsePoints`); the others are read from the run's tiles on demand.
@@ -34,7 +35,8 @@ class MapLayer {
  public:
   static constexpr std::size_t kMaxCoarsePoints = 4'000'000;
 
-  /// Reads the whole map once, 20 M points in some seconds. Throws FileError, and Error if `stop` becomes true.
+  /// Reads the whole map once, with a thread for each processor but eight at most. Throws FileError, and Error if
+  /// `stop` becomes true.
   MapLayer(const std::filesystem::path& folder, const Eigen::Vector3d& origin_m, const std::atomic<bool>& stop);
 
   /// The tiles as JSON, see docs/view_api.md.
@@ -50,13 +52,24 @@ class MapLayer {
     Eigen::AlignedBox3f box_m;
   };
 
-  void add_tile(const TileKey& key);
+  /// What is kept of a tile that was read.
+  struct TileParts {
+    std::array<Tile, kMapLevels> levels;
+    std::vector<SurfacePoint> coarse;
+  };
+  /// Memory of one thread.
+  struct Scratch {
+    SurfaceTileBuffer tile;
+    std::vector<std::uint8_t> levels;
+  };
+
+  void read_parts(const TileKey& key, TileParts& parts, Scratch& scratch) const;
+  void take_parts(const TileKey& key, const TileParts& parts, std::map<TileKey, Tile>& joined);
   void add_point(Tile& tile, const SurfacePoint& point) const;
 
   SurfaceFolder folder_;
   Eigen::Vector3f shift_m_;  ///< from the map's origin to that of the view
   std::vector<Tile> tiles_;
-  std::map<TileKey, Tile> coarse_;
   std::map<TileKey, std::vector<SurfacePoint>> coarse_points_;
   std::size_t coarse_count_ = 0;
 };

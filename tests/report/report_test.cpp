@@ -40,11 +40,29 @@ TEST_F(ReportTest, WhatTheRunDidNotWriteIsLeftOut) {
   const json bare = data();
   EXPECT_EQ(bare["run"]["recording"]["path"], "drive");
   for (const char* part :
-       {"scans", "times", "odometry", "road", "trajectory", "global_trajectory", "edges", "evaluation"}) {
+       {"scans", "times", "odometry", "road", "trajectory", "global_trajectory", "edges", "terrain", "evaluation"}) {
     EXPECT_FALSE(bare.contains(part)) << part;
   }
   EXPECT_TRUE(bare["trouble"].empty());
   EXPECT_EQ(recording_of(out_.path()), "drive");
+}
+
+TEST_F(ReportTest, TakesTheGroundOfTheMap) {
+  test::spill(out_ / "trajectory.tum", "1700000000.5 500000 10 1 0 0 0 1\n1700000000.75 500003 14 1 0 0 0 1\n");
+  test::spill(out_ / "elevation.asc",
+              "ncols 2\nnrows 2\nxllcorner 499990\nyllcorner 5\ncellsize 0.5\nNODATA_value -9999\n3 -9999\n3 3\n");
+  const json ground = data()["terrain"];
+  EXPECT_EQ(ground["x_m"], -10.0);
+  EXPECT_EQ(ground["y_m"], -5.0);
+  EXPECT_EQ(ground["low_m"], 2.0);
+  EXPECT_EQ(ground["shade"], "tQC1tQ==");  // 181, 0; 181, 181
+}
+
+TEST_F(ReportTest, ABrokenRasterIsNamed) {
+  test::spill(out_ / "elevation.asc", "ncols 2\n");
+  const json all = data();
+  EXPECT_FALSE(all.contains("terrain"));
+  EXPECT_THAT(all["trouble"].dump(), HasSubstr("elevation.asc"));
 }
 
 TEST_F(ReportTest, TakesWhatIsThere) {

@@ -1,6 +1,8 @@
 #include "map_layer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <set>
 #include <string>
@@ -86,15 +88,31 @@ TEST(MapLayer, ALevelIsAsThinAsItSays) {
   for (int i = 0; i < 64 * 64; ++i) {
     points.push_back({.x_m = static_cast<float>(i % 64) + 0.5F, .y_m = static_cast<float>(i / 64) + 0.5F, .z_m = 0.5F});
   }
-  const auto levels = choose_map_levels(points, 1.0);
+  std::vector<std::uint8_t> levels;
+  choose_map_levels(points, 1.0, levels);
   std::size_t count[kMapLevels] = {};
   for (const std::uint8_t level : levels) {
     ++count[level];
   }
   EXPECT_EQ(count[0], 16U);
   EXPECT_EQ(count[0] + count[1], 256U);
-  EXPECT_EQ(levels, choose_map_levels(points, 1.0));
-  EXPECT_TRUE(choose_map_levels({}, 1.0).empty());
+  std::vector<std::uint8_t> again(7);
+  choose_map_levels(points, 1.0, again);
+  EXPECT_EQ(levels, again);
+  choose_map_levels({}, 1.0, again);
+  EXPECT_TRUE(again.empty());
+}
+
+TEST(MapLayer, CellsGoOnBelowZero) {
+  // Cells of 4 and of 16 voxels from -16 to 16: were values rounded towards zero the cells about it would be joined.
+  std::vector<SurfacePoint> points;
+  for (int i = -16; i < 16; ++i) {
+    points.push_back({.x_m = static_cast<float>(i) + 0.5F, .y_m = 0.5F, .z_m = 0.5F});
+  }
+  std::vector<std::uint8_t> levels;
+  choose_map_levels(points, 1.0, levels);
+  EXPECT_EQ(std::count(levels.begin(), levels.end(), 0), 2);
+  EXPECT_EQ(std::count(levels.begin(), levels.end(), 1), 6);
 }
 
 TEST(MapLayer, SaysWhichTileIsBroken) {

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "berm/core/surface.hpp"
+#include "berm/io/file_reader.hpp"
 
 namespace berm {
 
@@ -42,6 +43,12 @@ struct SurfaceIndex {
 /// points and no more. Throws FileError(malformed, truncated).
 [[nodiscard]] std::vector<SurfacePoint> parse_surface_tile(std::span<const std::byte> bytes, const std::string& name);
 
+/// Memory for one tile, kept from one to the next: of a large map most of the time would go into asking for it.
+struct SurfaceTileBuffer {
+  FileBuffer file;
+  std::vector<SurfacePoint> points;
+};
+
 /// A map of the surface in a folder: a file per tile, and tiles.json that names them. A tile that is saved again gets
 /// another name, and its old file goes after the index that no longer names it: at every moment, and so after a kill
 /// at any moment, the index names whole files of one state of the map. Files it does not name are leftovers.
@@ -60,6 +67,8 @@ class SurfaceFolder {
   /// Points of a tile as saved last; nothing if there is none. Throws FileError for a file that is broken or holds
   /// another number of points than the index says.
   [[nodiscard]] std::vector<SurfacePoint> load(const TileKey& key) const;
+  /// The same into `buffer.points`. Several threads may load at once, each with its own buffer.
+  void load(const TileKey& key, SurfaceTileBuffer& buffer) const;
   /// Writes a tile; without points there is none. Throws FileError(write_failed).
   void save(const TileKey& key, std::span<const SurfacePoint> points);
   /// Writes the index, then removes the files that it no longer names.
