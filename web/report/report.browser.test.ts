@@ -92,6 +92,16 @@ function fullRun(count = 2000): object {
     },
     trajectory: { poses: count, path_m: 200, t_s: x, x_m: x, y_m: wave(count, 10), z_m: zeros },
     edges: [{ side: 'left', x_m: x, y_m: wave(count, 12), z_m: zeros }],
+    terrain: {
+      x_m: -20,
+      y_m: -20,
+      cell_m: 1,
+      columns: 2,
+      rows: 2,
+      low_m: -1,
+      high_m: 3.5,
+      shade: 'tQC1tQ==',
+    },
     origin_m: [500000, 5000000, 300],
     trouble: [],
   };
@@ -188,9 +198,42 @@ describe.skipIf(findChromium() === undefined)('the report, opened from a file', 
     );
     for (const colours of inked) expect(colours).toBeGreaterThan(3);
     expect(await page.locator('.plan polyline.lost').count()).toBe(1);
+    expect(await page.locator('.plan image.ground').getAttribute('href')).toMatch(/^data:image\/png/);
     expect(asked.filter((url) => !url.startsWith('file:') && !url.startsWith('data:'))).toEqual([]);
     expect(asked.filter((url) => url.startsWith('file:'))).toHaveLength(1);
     expect(complaints).toEqual([]);
+  });
+
+  it('has a part for everything that a run can tell', async () => {
+    await open(fullRun(60));
+    expect(await page.locator('h2').allTextContents()).toEqual([
+      'Warnings',
+      'Summary',
+      'Where it drove',
+      'Road',
+      'Along the run',
+      'Against the truth',
+      'Counts and losses',
+      'Time per stage',
+      'Machine and recording',
+    ]);
+    expect(await page.locator('figcaption strong').allTextContents()).toEqual([
+      'From above',
+      'Standard deviation of the odometry',
+      'Width of the road',
+      'Grade',
+      'Height of the berms',
+      'Slope of the ground ahead',
+      'Shares of labels',
+      'How many scans took how long',
+      'Time per scan and stage',
+    ]);
+    expect(await page.locator('.histograms .bars:not(.axis)').count()).toBe(2);
+    await page.close();
+    await open({ ...fullRun(60), odometry: undefined });
+    const titles = await page.locator('figcaption strong').allTextContents();
+    for (const title of ['Height of the machine', 'Elevation along the way', 'Slope along the way'])
+      expect(titles).toContain(title);
   });
 
   it('leaves out what the run does not have', async () => {

@@ -9,6 +9,8 @@ export interface Picture {
   readonly bright: number;
   /** How many colours there are, of 4096. */
   readonly colours: number;
+  /** Whether the left half is the right one, with a gap of 2 pixels between them. */
+  readonly twice: boolean;
 }
 
 /** Presses the key that saves a picture and looks at what is in the file. */
@@ -30,7 +32,11 @@ export async function savePicture(page: Page): Promise<Picture> {
       colours.add(((data[i]! >> 4) << 8) | ((data[i + 1]! >> 4) << 4) | (data[i + 2]! >> 4));
       if (Math.max(data[i]!, data[i + 1]!, data[i + 2]!) > 90) ++bright;
     }
+    const pane = Math.floor((bitmap.width - 2) / 2);
+    const half = (left: number) => context.getImageData(left, 0, pane, bitmap.height).data;
+    const [first, second] = [half(0), half(bitmap.width - pane)];
     return {
+      twice: first.every((value, i) => value === second[i]),
       width: bitmap.width,
       height: bitmap.height,
       bright: (4 * bright) / data.length,

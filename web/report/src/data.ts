@@ -1,3 +1,5 @@
+import { readTerrain, type Terrain } from './terrain';
+
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type Numbers = (number | null)[];
 
@@ -44,6 +46,7 @@ export interface Report {
   trajectory?: Path;
   globalTrajectory?: Path;
   edges: EdgeLine[];
+  terrain?: Terrain;
   originM: number[];
   trouble: string[];
 }
@@ -155,6 +158,7 @@ export function readReport(source: string): Report {
       odometry: readTable(at(json, 'odometry')),
       trajectory: readPath(at(json, 'trajectory')),
       globalTrajectory: readPath(at(json, 'global_trajectory')),
+      terrain: readTerrain(at(json, 'terrain')),
     }),
   };
 }

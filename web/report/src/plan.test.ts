@@ -42,6 +42,31 @@ describe('the plan', () => {
     expect(plansOf(readReport('{"schema": "berm.report/1"}'))).toEqual([]);
   });
 
+  it('draws the ground where the run mapped it', () => {
+    const terrain = {
+      x_m: -1,
+      y_m: -2,
+      cell_m: 0.5,
+      columns: 2,
+      rows: 2,
+      low_m: 0,
+      high_m: 3,
+      shade: 'tQC1tQ==',
+    };
+    const [plan] = plansOf(read({ terrain }));
+    expect([...plan!.ground!.shade]).toEqual([181, 0, 181, 181]);
+    expect(plan!.drawings).toHaveLength(1);
+    for (const broken of [
+      { shade: 'tQ==' },
+      { shade: '%' },
+      { shade: 7 },
+      { columns: -2 },
+      { cell_m: 0 },
+      { rows: 1e9 },
+    ])
+      expect(plansOf(read({ terrain: { ...terrain, ...broken } }))[0]!.ground).toBeUndefined();
+  });
+
   it('has a bar of a round length', () => {
     expect([0.7, 1, 19, 20, 99, 501].map(roundLength)).toEqual([0.5, 1, 10, 20, 50, 500]);
   });

@@ -2,6 +2,7 @@ import { at, before, everyNth, isObject, type Path, type Report } from './data';
 import { h, svg } from './dom';
 import { fixed, length, rounded } from './format';
 import { folded, scrolled, table } from './tables';
+import { shadePicture, type Terrain } from './terrain';
 import { kPrintWidth, onChange } from './theme';
 
 const kMargin = 26;
@@ -48,6 +49,7 @@ export interface Plan {
   title: string;
   drawings: Drawing[];
   path: Path | undefined;
+  ground?: Terrain;
 }
 
 /**
@@ -70,15 +72,20 @@ export function plansOf(report: Report): Plan[] {
     drawings: [...edges, ...(path ? piecesOf(path, report) : [])],
     path,
   };
-  const plans = world.drawings.length > 0 ? [world] : [];
+  if (report.terrain) world.ground = report.terrain;
+  const plans = world.drawings.length > 0 || world.ground ? [world] : [];
   if (apart && trajectory) {
     plans.push({ title: 'Odometry from above', drawings: piecesOf(trajectory, report), path: trajectory });
   }
   return plans;
 }
 
-function extentOf(drawings: readonly Drawing[]): { x: number; y: number; width: number; height: number } {
+function extentOf({ drawings, ground }: Plan): { x: number; y: number; width: number; height: number } {
   let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
+  if (ground) {
+    [x0, x1] = [ground.x, ground.x + ground.columns * ground.cellM];
+    [y0, y1] = [ground.y, ground.y + ground.rows * ground.cellM];
+  }
   for (const { x, y } of drawings) {
     for (const value of x) [x0, x1] = [Math.min(x0, value), Math.max(x1, value)];
     for (const value of y) [y0, y1] = [Math.min(y0, value), Math.max(y1, value)];
@@ -87,8 +94,9 @@ function extentOf(drawings: readonly Drawing[]): { x: number; y: number; width: 
 }
 
 /** Path and edges from above, the same scale both ways. */
-function draw(drawings: readonly Drawing[], path: Path | undefined, width: number): SVGElement {
-  const extent = extentOf(drawings);
+function draw(plan: Plan, shade: string, width: number): SVGElement {
+  const { drawings, path, ground } = plan;
+  const extent = extentOf(plan);
   const scale = Math.min((width - 2 * kMargin) / extent.width, (kMostHeight - 2 * kMargin) / extent.height);
   const height = Math.max(kLeastHeight, extent.height * scale + 2 * kMargin + 18);
   const left = (width - extent.width * scale) / 2;
@@ -96,6 +104,19 @@ function draw(drawings: readonly Drawing[], path: Path | undefined, width: numbe
   const px = (x: number) => (left + (x - extent.x) * scale).toFixed(1);
   const py = (y: number) => (top + (extent.y + extent.height - y) * scale).toFixed(1);
   const picture = svg('svg', { width, height, viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' });
+  if (ground) {
+    picture.append(
+      svg('image', {
+        class: 'ground',
+        href: shade,
+        x: px(ground.x),
+        y: py(ground.y + ground.rows * ground.cellM),
+        width: (ground.columns * ground.cellM * scale).toFixed(1),
+        height: (ground.rows * ground.cellM * scale).toFixed(1),
+        preserveAspectRatio: 'none',
+      }),
+    );
+  }
   for (const { style, x, y } of drawings) {
     picture.append(
       svg('polyline', { class: style, points: x.map((value, i) => `${px(value)},${py(y[i]!)}`).join(' ') }),
@@ -136,13 +157,23 @@ function key(style: string, name: string): HTMLElement {
 export const planFigures = (report: Report): HTMLElement[] =>
   plansOf(report).map((plan) => planFigure(plan, report.originM));
 
-function planFigure({ title, drawings, path }: Plan, originM: number[]): HTMLElement {
-  const extent = extentOf(drawings);
+function heightsOf(ground: Terrain, path: Path | undefined): string {
+  const begin = path?.z[0] ?? 0;
+  return `${fixed(ground.lowM - begin, 1)} to ${fixed(ground.highM - begin, 1)}`;
+}
+
+function planFigure(plan: Plan, originM: number[]): HTMLElement {
+  const { title, drawings, path, ground } = plan;
+  const extent = extentOf(plan);
   const about = `${length(extent.width)} by ${length(extent.height)}, x of the world to the right, y up.`;
+  const heights = ground
+    ? ` The ground is lit from the upper left, its slopes drawn twice as steep; it lies ${heightsOf(ground, path)} m above where the machine began.`
+    : '';
+  const shade = ground ? shadePicture(ground) : '';
   const place = h('div', { class: 'plan', role: 'img', 'aria-label': `${title}: ${about}` });
   const redraw = (printing: boolean) => {
     const width = printing ? kPrintWidth : place.clientWidth;
-    if (width > 50) place.replaceChildren(draw(drawings, path, width));
+    if (width > 50) place.replaceChildren(draw(plan, shade, width));
   };
   let seen = 0;
   new ResizeObserver(() => {
@@ -157,7 +188,7 @@ function planFigure({ title, drawings, path }: Plan, originM: number[]): HTMLEle
   return h(
     'figure',
     {},
-    h('figcaption', {}, h('strong', {}, title), ` ${about}`),
+    h('figcaption', {}, h('strong', {}, title), ` ${about}${heights}`),
     place,
     h('div', { class: 'legend' }, ...keys),
     path

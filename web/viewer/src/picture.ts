@@ -17,6 +17,8 @@ export class Picture {
   /** False until the first picture was drawn: before that nothing is asked for that it does not need. */
   hasBegun = false;
   private drawn = '';
+  /** Coarsest tiles in view that have not come yet. */
+  private missing = 0;
 
   constructor(private readonly page: Page) {}
 
@@ -34,6 +36,7 @@ export class Picture {
         if (scan >= 0 && scan < run.table.count) later.push(run.wantScan(scan));
       }
     });
+    this.missing = 0;
     for (const pane of this.page.stage.panes) wanted.push(...this.showMap(pane));
     this.page.loader.want([...wanted, ...later]);
     const drawn = this.page.runs
@@ -45,10 +48,11 @@ export class Picture {
     return changed;
   }
 
-  /** How many tiles of maps are drawn, and what is still on its way. */
-  counts(): { tiles: string; waiting: string } {
+  /** How many tiles of maps are drawn, what is still on its way, and whether the map is there as far as one sees. */
+  counts(): { tiles: string; waiting: string; map: string } {
     const tiles = this.page.runs.reduce((sum, run) => sum + run.view.shownTiles, 0);
-    return { tiles: String(tiles), waiting: String(this.page.loader.waiting) };
+    const map = tiles > 0 && this.missing === 0 ? 'whole' : '';
+    return { tiles: String(tiles), waiting: String(this.page.loader.waiting), map };
   }
 
   /** True when the scans of this time are on the screen, or cannot be had. */
@@ -103,6 +107,7 @@ export class Picture {
       kTileBudget / this.page.runs.length,
     );
     run.view.showTiles(chosen, (tile) => this.page.loader.get(run.tileKey(tile)));
+    this.missing += chosen.filter((tile) => tile.level === 0 && !run.view.hasTile(tile.id)).length;
     return chosen.map((tile) => run.wantTile(tile.id));
   }
 }

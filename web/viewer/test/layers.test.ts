@@ -1,7 +1,9 @@
 import { expect, test } from 'vitest';
 import { encodePoses, madePoses } from '../../test/made_data';
 import { decodePoses } from '../src/data/poses';
-import { pathPoses } from '../src/scene/layers';
+import { makeEdges, pathPoses } from '../src/scene/layers';
+import { faded } from '../src/scene/lines';
+import { kSideColours } from '../src/colours';
 
 const table = (x: readonly number[]) =>
   decodePoses(
@@ -18,4 +20,20 @@ test('a path has a bounded number of pieces, however long it is', () => {
   const kept = pathPoses(table(Array.from({ length: 50_000 }, (_, i) => 0.7 * i)));
   expect(kept.length).toBeLessThan(2100);
   expect(kept.at(-1)).toBe(49_999);
+});
+
+test('an edge fades where it is uncertain', () => {
+  const line = {
+    line: 0,
+    side: 'left',
+    kind: '',
+    vertices: new Float32Array(9),
+    confidence: Float64Array.of(1, 0.5, 0),
+  };
+  const edges = makeEdges({ truth: false, lines: [line] }) as unknown as {
+    geometry: { attributes: Record<string, { data: { array: ArrayLike<number> } }> };
+  };
+  const colours = Array.from(edges.geometry.attributes['instanceColorStart']!.data.array);
+  const expected = [1, 0.6, 0.6, 0.2].flatMap((share) => faded(kSideColours['left']!, share).toArray());
+  expected.forEach((value, i) => expect(colours[i]).toBeCloseTo(value, 5));
 });

@@ -92,6 +92,10 @@ export class RunView {
     return [...this.tiles.values()].filter(({ object }) => object.visible).length;
   }
 
+  hasTile(id: number): boolean {
+    return this.tiles.has(id);
+  }
+
   /** All points that are drawn now. */
   *drawn(): Generator<PointObject> {
     for (const objects of [this.scans, this.tiles]) {
