@@ -1,12 +1,15 @@
 #include "road_toes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace berm {
 namespace {
 
 constexpr std::size_t kFewestOfPiece = 8;  // points of a piece of a trace that is looked at
-constexpr float kOnward_rad = 0.06F;       // a trace that breaks off goes on within this angle
+/// A way is measured in straight stretches of this length: from point to point the noise of ranges would lengthen it.
+constexpr float kStretch_m = 0.5F;
+constexpr float kOnward_rad = 0.06F;  // a trace that breaks off goes on within this angle
 
 /// Whether the trace breaks off at point `a` and goes on at `b`, farther away and far below the road.
 bool falls(const Traces& t, std::span<const float> height_m, std::size_t a, std::size_t b, float min_drop_m) {
@@ -48,17 +51,32 @@ void RoadToes::process(const Traces& traces) {
 
 void RoadToes::walk(const Traces& traces, std::size_t from, std::size_t to, std::size_t next) {
   profile_.clear();
+  const auto along = [&](std::size_t i) { return from < to ? i + 1 : i - 1; };
+  float begin_m = 0.0F;  // way to where the stretch begins
   float s = 0.0F;
-  std::size_t before = from;
-  for (std::size_t i = from;; i = from < to ? i + 1 : i - 1) {
-    const float dx = traces.x[i] - traces.x[before];
-    const float dy = traces.y[i] - traces.y[before];
-    s += std::sqrt(dx * dx + dy * dy);  // std::hypot heeds what cannot be here, and takes five times as long
-    profile_.add(static_cast<std::uint32_t>(i), s, height_m_[i]);
-    before = i;
-    if (i == to) {
+  for (std::size_t begin = from;;) {
+    float dx = 0.0F;
+    float dy = 0.0F;
+    std::size_t end = begin;
+    while (end != to && dx * dx + dy * dy < kStretch_m * kStretch_m) {
+      end = along(end);
+      dx = traces.x[end] - traces.x[begin];
+      dy = traces.y[end] - traces.y[begin];
+    }
+    const float length_m = std::sqrt(dx * dx + dy * dy);
+    const float per_m = length_m > 0.0F ? 1.0F / length_m : 0.0F;
+    for (std::size_t i = begin; i != end; i = along(i)) {
+      const float x = traces.x[i] - traces.x[begin];
+      const float y = traces.y[i] - traces.y[begin];
+      s = std::max(s, begin_m + (x * dx + y * dy) * per_m);
+      profile_.add(static_cast<std::uint32_t>(i), s, height_m_[i]);
+    }
+    begin_m += length_m;
+    if (end == to) {
+      profile_.add(static_cast<std::uint32_t>(to), std::max(s, begin_m), height_m_[to]);
       break;
     }
+    begin = end;
   }
   finder_.process(profile_, falls(traces, height_m_, to, next, static_cast<float>(config_.min_drop_m)), toes_,
                   on_road_);

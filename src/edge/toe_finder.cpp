@@ -9,7 +9,8 @@ namespace {
 constexpr float kRoadLine_m = 2.5F;    // of road that its line is drawn through
 constexpr float kRoadFloor_m = 0.35F;  // road lies this near to the surface: farther out the surface is known less well
 constexpr float kLag_m = 0.7F;         // the line ends this far before a rise shows, so that it is none of the flank
-constexpr float kRoadGoesOn = 0.05F;   // a road goes on with no more slope than this against the surface
+constexpr float kRoadGoesOn = 0.02F;   // a road goes on with no more slope than this against the surface; a line that
+                                       // creeps up the foot of a gentle flank has more
 constexpr float kShows = 0.4F;         // by this share of the least height
 constexpr float kMisfit_m = 0.06F;     // of a flank about its line, at most
 constexpr float kLip_m = 0.05F;        // road ends where it lies this far below its line

