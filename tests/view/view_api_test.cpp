@@ -101,6 +101,28 @@ TEST_F(ViewApiTest, ListsTheScansOfARecordingWithoutPoses) {
   EXPECT_EQ(table[4 + 40], 0);
 }
 
+TEST_F(ViewApiTest, ReadsTheHeadsOfALongRecordingHereAndThere) {
+  constexpr std::size_t kScans = 2500;
+  const std::filesystem::path scans = folder_ / "long";
+  std::filesystem::create_directories(scans);
+  for (std::size_t i = 0; i < kScans; ++i) {
+    std::filesystem::create_hard_link(folder_ / "recording/scans" / (test::scan_name(0) + ".pcd"),
+                                      scans / (test::scan_name(i) + ".pcd"));
+  }
+  ViewApi api = open({"long"});
+  const std::string& table = *ask(api, "/api/runs/0/scans").body;
+  ASSERT_EQ(table.size(), 4U + kScans * kRowBytes);
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < kScans; ++i) {
+    const auto points = entry_at<std::uint32_t>(table, 4 + i * kRowBytes + 8);
+    EXPECT_TRUE(points == 0 || points == test::kMadePoints);
+    known += points > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(entry_at<std::uint32_t>(table, 4 + 8), test::kMadePoints);
+  EXPECT_GE(known, 500U);
+  EXPECT_LE(known, 1000U);
+}
+
 TEST_F(ViewApiTest, ServesPointsWithTheLabelsOfTheRun) {
   ViewApi api = open({"out"});
   const std::string& points = *ask(api, "/api/runs/0/scans/0").body;

@@ -22,7 +22,7 @@ enum class ScanHealth : std::uint8_t { unknown, whole, degraded, skipped };
 struct ShownScan {
   std::string name;
   Stamp stamp_ns = 0;
-  std::uint32_t points = 0;  ///< no-returns included; 0: not known before it is read
+  std::uint32_t points = 0;  ///< no-returns included; 0: not known before it is read, as most of a long recording
   ScanHealth health = ScanHealth::unknown;
 };
 
