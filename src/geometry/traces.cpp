@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "berm/core/multiversion.hpp"
@@ -15,6 +16,9 @@ constexpr std::size_t kProbes = 200;   // pairs that are looked at per lag
 constexpr float kMaxStep_rad = 0.03F;  // between neighbours of a trace; the Mid-360 draws with 0.023
 constexpr float kMinShare = 0.6F;      // of pairs that are neighbours, for an order to be believed
 constexpr float kMinReach_m = 5.0F;
+constexpr std::size_t kElevationBins = 1800;  // of 0.1 degrees
+constexpr std::size_t kWidestRing = 4;        // bins: beams of a ring lie this near to each other,
+constexpr std::size_t kMaxRings = 128;
 
 /// Squared sine of the angle between two beams.
 float squared_sine(const PointsView& points, std::size_t a, std::size_t b) {
@@ -89,6 +93,38 @@ BERM_MULTIVERSION void mark_breaks(float sensor_height_m, float max_squared_rad,
   }
 }
 
+/// Numbers the rings of a scan that does not tell them: most spinning sensors have beams at the elevations of a table,
+/// with nothing between. Returns how many; 0: there are no such elevations.
+std::size_t number_by_elevation(const PointsView& points, std::span<const Label> labels,
+                                std::vector<std::uint32_t>& rings) {
+  std::array<std::uint32_t, kElevationBins> number_of{};
+  rings.resize(labels.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    rings[i] = 0;
+    if (labels[i] == Label::drivable) {
+      const float elevation_rad =
+          std::atan2(points.z[i], std::sqrt(points.x[i] * points.x[i] + points.y[i] * points.y[i]));
+      const float place = (elevation_rad / std::numbers::pi_v<float> + 0.5F) * static_cast<float>(kElevationBins);
+      rings[i] = static_cast<std::uint32_t>(std::clamp(place, 0.0F, static_cast<float>(kElevationBins - 1)));
+      number_of[rings[i]] = 1;
+    }
+  }
+  std::uint32_t count = 0;
+  std::size_t width = 0;
+  for (std::uint32_t& number : number_of) {
+    width = number != 0 ? width + 1 : 0;
+    count += width == 1 ? 1U : 0U;
+    if (width > kWidestRing || count > kMaxRings) {
+      return 0;
+    }
+    number = count > 0 ? count - 1 : 0;
+  }
+  for (std::uint32_t& ring : rings) {
+    ring = number_of[ring];
+  }
+  return count > 1 ? count : 0;
+}
+
 /// In the order of the scan.
 void list_ground(std::span<const Label> labels, std::vector<std::uint32_t>& index) {
   index.resize(labels.size());
@@ -141,13 +177,23 @@ const Traces& TraceFinder::process(const PointsView& points, std::span<const Lab
       order_by(keys_, std::size_t{*std::max_element(keys_.begin(), keys_.end())} + 1, labels);
       break;
     case TraceKind::radial:
-      order_radially(labels, level, sectors);
+      if (const std::size_t rings = number_by_elevation(points, labels, keys_); rings > 0) {
+        traces_.kind = TraceKind::rings;
+        order_by(keys_, rings, labels);
+      } else {
+        order_radially(labels, level, sectors);
+      }
       break;
   }
   gather(level);
   find_breaks(level);
   if (traces_.kind == TraceKind::rings && is_mostly_broken(traces_.is_broken)) {
-    traces_.kind = TraceKind::radial;  // rings, but not in firing order
+    order_around(level);  // rings, but not in firing order
+    gather(level);
+    find_breaks(level);
+  }
+  if (traces_.kind == TraceKind::rings && is_mostly_broken(traces_.is_broken)) {
+    traces_.kind = TraceKind::radial;
     order_radially(labels, level, sectors);
     gather(level);
     find_breaks(level);
@@ -189,6 +235,17 @@ void TraceFinder::order_by(std::span<const std::uint32_t> keys, std::size_t key_
     if (labels[i] == Label::drivable) {
       traces_.index[starts_[keys[i]]++] = i;
     }
+  }
+}
+
+/// Each ring by azimuth, clockwise as most sensors turn.
+void TraceFinder::order_around(const LevelPoints& level) {
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : starts_) {
+    std::sort(traces_.index.begin() + begin, traces_.index.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
+      return level.turn[a] != level.turn[b] ? level.turn[a] > level.turn[b] : a < b;
+    });
+    begin = end;
   }
 }
 

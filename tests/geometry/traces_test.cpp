@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -255,9 +256,35 @@ TEST(Traces, GoOutwardWithinSectorsWhereThereIsNoOrder) {
   EXPECT_GT(sectors.size(), 30U);
 }
 
-/// Rings without the order within them are no traces.
-TEST(Traces, GoOutwardWhereTheRingsAreInNoOrder) {
+/// Not in the order of the file, but around.
+void expect_rings_around(Traced& scan, std::span<const std::uint16_t> rings) {
+  const Traces& traces = scan.find();
+  ASSERT_EQ(traces.kind, TraceKind::rings);
+  EXPECT_TRUE(holds_the_ground_once(scan, traces));
+  for (std::size_t k = 1; k < traces.index.size(); ++k) {
+    if (traces.is_broken[k] == 0) {
+      ASSERT_EQ(rings[traces.index[k]], rings[traces.index[k - 1]]);
+    }
+  }
+  EXPECT_LT(count_broken(traces), traces.index.size() / 20);
+}
+
+TEST(Traces, GoAroundWhereTheRingsAreInNoOrder) {
   Traced scan = shuffled(taking_turns(16, 3, true));
+  expect_rings_around(scan, scan.points.ring);
+}
+
+TEST(Traces, FindTheRingsByElevationWhereNothingTellsThem) {
+  Traced scan = shuffled(taking_turns(16, 3, true));
+  const std::vector<std::uint16_t> rings = std::exchange(scan.points.ring, {});
+  expect_rings_around(scan, rings);
+}
+
+TEST(Traces, GoOutwardWhereTheRingsAreWrong) {
+  Traced scan = shuffled(rosette());
+  for (std::size_t i = 0; i < scan.labels.size(); ++i) {
+    scan.points.ring.push_back(static_cast<std::uint16_t>(i % 16));
+  }
   const Traces& traces = scan.find();
   EXPECT_EQ(traces.kind, TraceKind::radial);
   EXPECT_TRUE(holds_the_ground_once(scan, traces));

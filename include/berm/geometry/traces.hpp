@@ -16,7 +16,7 @@ namespace berm {
 enum class TraceKind {
   firing,       ///< one beam after the other, as a rosette draws
   interleaved,  ///< several lasers take turns: every n-th beam
-  rings,        ///< by the ring channel
+  rings,        ///< by the ring channel; by elevation where there is none and elevations lie apart
   radial,       ///< no order to be found: outward within sectors. Errors of the pose within the scan come in
 };
 
@@ -45,6 +45,7 @@ class TraceFinder {
   void choose_order(const PointsView& points);
   void order_by(std::span<const std::uint32_t> keys, std::size_t key_count, std::span<const Label> labels);
   void gather(const LevelPoints& level);
+  void order_around(const LevelPoints& level);
   void order_radially(std::span<const Label> labels, const LevelPoints& level,
                       const bearing_grid::SectorTable& sectors);
   void find_breaks(const LevelPoints& level);
