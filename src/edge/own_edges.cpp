@@ -50,7 +50,8 @@ void OwnEdges::process(const Traces& traces, const RoadToes& found) {
   }
   keep([&](std::size_t i) {
     return toes_[i].kind == EdgeKind::rise ||
-           (std::hypot(places_[i].x_m, places_[i].y_m) < kDropShare * max_range_m && !is_in_row(places_[i]));
+           (std::hypot(places_[i].x_m, places_[i].y_m) < kDropShare * max_range_m && !is_in_row(places_[i]) &&
+            (!toes_[i].into_nothing || places_[i].supporters > 0));
   });
 }
 

@@ -29,6 +29,7 @@ void RoadToes::process(const Traces& traces) {
   for (std::size_t i = 0; i < size; ++i) {
     height_m_[i] = traces.z[i] - surface_.height_m(traces.x[i], traces.y[i]);
   }
+  void_.process(traces, height_m_, static_cast<float>(config_.min_drop_m));
   on_road_.assign(size, 0);
   toes_.clear();
   for (std::size_t begin = 0; begin < size;) {
@@ -78,8 +79,18 @@ void RoadToes::walk(const Traces& traces, std::size_t from, std::size_t to, std:
     }
     begin = end;
   }
-  finder_.process(profile_, falls(traces, height_m_, to, next, static_cast<float>(config_.min_drop_m)), toes_,
-                  on_road_);
+  find_toes(traces, to, next);
+}
+
+void RoadToes::find_toes(const Traces& traces, std::size_t to, std::size_t next) {
+  const bool goes_on_below = falls(traces, height_m_, to, next, static_cast<float>(config_.min_drop_m));
+  const std::size_t before = profile_.index[profile_.size() - kFewestOfPiece];
+  const bool goes_nowhere = !goes_on_below && config_.find_drops && void_.ends_at(traces, before, to);
+  const std::size_t found = toes_.size();
+  finder_.process(profile_, goes_on_below || goes_nowhere, toes_, on_road_);
+  if (goes_nowhere && toes_.size() > found && toes_.back().kind == EdgeKind::drop && toes_.back().before == to) {
+    toes_.back().into_nothing = true;
+  }
 }
 
 }  // namespace berm

@@ -11,6 +11,7 @@
 #include "road_surface.hpp"
 #include "toe_finder.hpp"
 #include "trace_profile.hpp"
+#include "void_view.hpp"
 
 namespace berm {
 
@@ -31,11 +32,13 @@ class RoadToes {
  private:
   /// Walks from one point of a piece to the other; `next` is where the trace goes on behind a break.
   void walk(const Traces& traces, std::size_t from, std::size_t to, std::size_t next);
+  void find_toes(const Traces& traces, std::size_t to, std::size_t next);
 
   TraceEdgesConfig config_;
   ToeFinder finder_;
   AcrossToes across_;
   RoadSurface surface_;
+  VoidView void_;
   TraceProfile profile_;
   std::vector<float> height_m_;
   std::vector<std::uint8_t> on_road_;

@@ -14,17 +14,18 @@ struct Toe {
   EdgeKind kind = EdgeKind::rise;
   std::uint32_t before = 0;  ///< points of the traces that it lies between
   std::uint32_t after = 0;
-  std::uint32_t road = 0;    ///< a point of the road before it
-  std::uint32_t flank = 0;   ///< a point of the flank behind it
-  float share = 0.0F;        ///< how far from `before` to `after`
-  float below_m = 0.0F;      ///< the line between these
-  float height_m = 0.0F;     ///< how far it rises within what is seen
-  bool seen_to_top = false;  ///< whether it falls again, or hides what follows
-  float width_m = 0.0F;      ///< along the trace, to where it is back on the level of the road; 0: unknown
-  float slope = 0.0F;        ///< of the flank along the trace
-  float run_m = 0.0F;        ///< of road before it
-  float misfit_m = 0.0F;     ///< of the flank about its line
-  bool across = false;       ///< found from trace to trace, not along one
+  std::uint32_t road = 0;     ///< a point of the road before it
+  std::uint32_t flank = 0;    ///< a point of the flank behind it
+  float share = 0.0F;         ///< how far from `before` to `after`
+  float below_m = 0.0F;       ///< the line between these
+  float height_m = 0.0F;      ///< how far it rises within what is seen
+  bool seen_to_top = false;   ///< whether it falls again, or hides what follows
+  float width_m = 0.0F;       ///< along the trace, to where it is back on the level of the road; 0: unknown
+  float slope = 0.0F;         ///< of the flank along the trace
+  float run_m = 0.0F;         ///< of road before it
+  float misfit_m = 0.0F;      ///< of the flank about its line
+  bool across = false;        ///< found from trace to trace, not along one
+  bool into_nothing = false;  ///< of a drop: nothing at all was seen behind
 };
 
 /// Finds where road ends along a profile.
@@ -33,7 +34,7 @@ class ToeFinder {
   explicit ToeFinder(const TraceEdgesConfig& config) : config_(config) {}
 
   /// Appends to `toes`. Marks in `on_road` the points of the traces that are road: 1. `end_falls`: behind the profile
-  /// the trace goes on far below.
+  /// the trace goes on far below, or there is nothing.
   void process(const TraceProfile& profile, bool end_falls, std::vector<Toe>& toes,
                std::vector<std::uint8_t>& on_road) const;
 

@@ -83,6 +83,30 @@ TEST(TraceEdges, FindGentleBermsInSpiteOfNoisyRanges) {
   }
 }
 
+TEST(TraceEdges, FindTheLipOfASlopeThatEveryBeamFliesOver) {
+  constexpr double kBeyondReach_m = -200.0;
+  const test::RoadHeights berms = test::road_between_berms(double{kHalf_m}, 1.5);
+  const auto heights = [&](double x, double y) { return y < -double{kHalf_m} ? kBeyondReach_m : berms(x, y); };
+  const std::vector<EdgePoint> found = find_edges(test::scan_road(heights));
+  EXPECT_GE(count(found, EdgeSide::left), 6U);
+  EXPECT_GE(count(found, EdgeSide::right), 4U);
+  expect_on_straight_edges(found);
+  for (const EdgePoint& edge : found) {
+    EXPECT_EQ(edge.kind == EdgeKind::drop, edge.side == EdgeSide::right);
+  }
+}
+
+TEST(TraceEdges, TakeNoPuddleForADrop) {
+  // As wide as half of the road: no beam comes back from it.
+  const test::RoadHeights dry = test::road_between_berms(double{kHalf_m}, 1.5);
+  const auto heights = [&](double x, double y) {
+    return x > 8.0 && x < 22.0 && y < -0.5 && y > -6.5 ? std::nan("") : dry(x, y);
+  };
+  for (const EdgePoint& edge : find_edges(test::scan_road(heights))) {
+    EXPECT_EQ(edge.kind, EdgeKind::rise) << edge.x_m << ' ' << edge.y_m;
+  }
+}
+
 TEST(TraceEdges, SeeTheEdgeAcrossTracesWhereTheyRunAlongIt) {
   // Beside the machine, rings of 15 m and 17 m run along a berm at 18 m: the next ones lie on its flank.
   const test::RoadScan scan = test::scan_road(test::road_between_berms(18.0, 2.0));
