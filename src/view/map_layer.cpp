@@ -15,8 +15,8 @@
 namespace berm {
 namespace {
 
-/// Tiles along one side of a joined tile.
-constexpr int kJoined = 8;
+/// Tiles along one side of a joined tile: few requests for what is seen first.
+constexpr int kJoined = 16;
 /// The disk and the other requests want their share.
 constexpr unsigned kMaxReaders = 8;
 
@@ -88,9 +88,10 @@ void choose_map_levels(std::span<const SurfacePoint> points, double voxel_m, std
   CellKeys middle;
   CellKeys coarse;
   std::uint64_t last = kNone;
-  levels.assign(points.size(), 2);
+  levels.assign(points.size(), kMapLevels - 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!is_in_payload(points[i].x_m, points[i].y_m, points[i].z_m)) {
+      levels[i] = kMapLevels;
       continue;
     }
     const Cell cell = cell_of(points[i], per_m);
@@ -143,7 +144,11 @@ void MapLayer::read_parts(const TileKey& key, TileParts& parts, Scratch& scratch
   parts.coarse.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint8_t level = scratch.levels[i];
-    add_point(parts.levels[level], points[i]);
+    if (level == kMapLevels) {
+      continue;
+    }
+    ++parts.levels[level].points;
+    parts.levels[level].box_m.extend(Eigen::Vector3f(points[i].x_m, points[i].y_m, points[i].z_m) + shift_m_);
     if (level == 0) {
       parts.coarse.push_back(points[i]);
     }
@@ -169,13 +174,6 @@ void MapLayer::take_parts(const TileKey& key, const TileParts& parts, std::map<T
       tile.level = level;
       tile.key = key;
     }
-  }
-}
-
-void MapLayer::add_point(Tile& tile, const SurfacePoint& point) const {
-  if (is_in_payload(point.x_m, point.y_m, point.z_m)) {
-    ++tile.points;
-    tile.box_m.extend(Eigen::Vector3f(point.x_m, point.y_m, point.z_m) + shift_m_);
   }
 }
 

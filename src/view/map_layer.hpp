@@ -25,8 +25,8 @@ inline constexpr std::size_t kMapLevels = 3;
 /// Distance of the points of each level in voxels of the map: a quarter of the distance is 16 times the points.
 inline constexpr double kMapLevelVoxels[kMapLevels] = {16.0, 4.0, 1.0};
 
-/// Which level each point is in: the coarsest whose cell has no point yet. The same points in the same order give the
-/// same levels.
+/// Which level each point is in: the coarsest whose cell has no point yet, `kMapLevels` where it cannot be shown. The
+/// same points in the same order give the same levels.
 void choose_map_levels(std::span<const SurfacePoint> points, double voxel_m, std::vector<std::uint8_t>& levels);
 
 /// The map of a run in tiles of several levels of detail. The coarsest is kept in memory, joined to large tiles (1/256
@@ -65,7 +65,6 @@ class MapLayer {
 
   void read_parts(const TileKey& key, TileParts& parts, Scratch& scratch) const;
   void take_parts(const TileKey& key, const TileParts& parts, std::map<TileKey, Tile>& joined);
-  void add_point(Tile& tile, const SurfacePoint& point) const;
 
   SurfaceFolder folder_;
   Eigen::Vector3f shift_m_;  ///< from the map's origin to that of the view

@@ -24,7 +24,8 @@ export class Loader<Value> {
     private readonly cache: ByteCache<Value>,
     private readonly onLoad: (key: string, value: Value) => void,
     private readonly onError: (key: string, error: unknown) => void,
-    private readonly parallel = 4,
+    /** As many connections as browsers open to one server. */
+    private readonly parallel = 6,
   ) {}
 
   get(key: string): Value | undefined {
