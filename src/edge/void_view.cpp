@@ -6,6 +6,7 @@
 namespace berm {
 namespace {
 
+constexpr std::size_t kEvery = 3;  // points: five to ten of a ring lie in a sector
 constexpr int kFirst = 2;          // sectors of 2 degrees onward: the trace itself reaches into the first ones
 constexpr int kLast = 5;           // a beam that a puddle or a dark stone swallows leaves a narrower gap
 constexpr float kNearer_m = 0.1F;  // the lip comes nearer there, or the trace would still be on the road
@@ -15,7 +16,7 @@ constexpr float kAround = 0.5F;    // sine between beam and trace: outward, the 
 
 void VoidView::process(const Traces& traces, std::span<const float> height_m, float min_drop_m) {
   farthest2_.fill(0.0F);
-  for (std::size_t i = 0; i < height_m.size(); ++i) {
+  for (std::size_t i = 0; i < height_m.size(); i += kEvery) {
     if (height_m[i] > -min_drop_m) {
       float& farthest2 = farthest2_[static_cast<std::size_t>(sectors_.of(traces.x[i], traces.y[i]))];
       farthest2 = std::max(farthest2, traces.x[i] * traces.x[i] + traces.y[i] * traces.y[i]);
