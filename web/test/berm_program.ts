@@ -1,5 +1,5 @@
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 
 const kRoot = resolve(import.meta.dirname, '../..');
@@ -59,4 +59,15 @@ export function startView(program: string, folders: readonly string[]): Promise<
       if (url !== undefined) resolve({ process: child, url, started_ms });
     });
   });
+}
+
+/** Seconds that a processor has worked for the server so far; NaN where the system does not say. */
+export function workOf(view: View): number {
+  try {
+    const stat = readFileSync(`/proc/${view.process.pid}/stat`, 'utf8');
+    const fields = stat.slice(stat.lastIndexOf(')') + 2).split(' ');
+    return (Number(fields[11]) + Number(fields[12])) / 100;
+  } catch {
+    return NaN;
+  }
 }

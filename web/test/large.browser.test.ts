@@ -4,7 +4,7 @@ import { existsSync, mkdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { findBerm, startView, type View } from './berm_program';
+import { findBerm, startView, workOf, type View } from './berm_program';
 import { collectComplaints, findChromium, launchChromium } from './browser';
 import { repeatRecording } from './large_recording';
 
@@ -97,7 +97,8 @@ describe.skipIf(!canTry)('large', () => {
     const frames = await turn(page, 40);
     console.log(
       `map: first picture ${Math.round(scan_ms)} ms after berm view, 1 km of map ${open_ms} ms, obeys a key ` +
-        `${live_ms} ms, all detail of the view ${whole_ms} ms; a frame takes ${Math.round(median(frames))} ms while it turns`,
+        `${live_ms} ms, all detail of the view ${whole_ms} ms; a frame takes ${Math.round(median(frames))} ms while it turns; the server worked for ` +
+        `${workOf(views.at(-1)!).toFixed(2)} s`,
     );
     await page.screenshot({ path: join(folder, 'map.png') });
     expect(complaints).toEqual([]);
@@ -112,7 +113,8 @@ describe.skipIf(!canTry)('large', () => {
     const frames = await turn(page, 40);
     console.log(
       `recording: first picture ${Math.round(first_ms)} ms after berm view, the last scan ${Math.round(end_ms)} ms ` +
-        `after its key; a frame takes ${Math.round(median(frames))} ms while it turns`,
+        `after its key; a frame takes ${Math.round(median(frames))} ms while it turns; the server worked for ` +
+        `${workOf(views.at(-1)!).toFixed(2)} s`,
     );
     await page.screenshot({ path: join(folder, 'recording.png') });
     expect(complaints).toEqual([]);

@@ -1,4 +1,5 @@
-import { mkdtempSync, rmSync } from 'node:fs';
+import { spawn } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
@@ -305,6 +306,30 @@ describe.skipIf(chromium === undefined || berm === undefined)('berm view', () =>
       expect(complaints).toEqual([]);
       await page.close();
     });
+  });
+
+  test('opens the browser of the desktop at its address', async () => {
+    const programs = join(folder, 'programs');
+    const called = join(folder, 'called');
+    mkdirSync(programs);
+    writeFileSync(
+      join(programs, 'xdg-open'),
+      `#!/bin/sh\necho "$1" > '${called}.part' && mv '${called}.part' '${called}'\n`,
+      {
+        mode: 0o755,
+      },
+    );
+    const recording = join(folder, 'short');
+    runBerm(berm!, ['sim', 'groomer_clear', '-o', recording, '--seconds', '0.2']);
+    const child = spawn(berm!, ['view', recording, '--port', '0'], {
+      env: { ...process.env, PATH: `${programs}:${process.env['PATH']}`, DISPLAY: ':0' },
+    });
+    let printed = '';
+    child.stdout.on('data', (text: Buffer) => (printed += text.toString()));
+    await expect.poll(() => existsSync(called), { timeout: 30_000 }).toBe(true);
+    expect(readFileSync(called, 'utf8')).toBe(printed);
+    expect(printed).toMatch(/^http:\/\/127\.0\.0\.1:\d+\/\n$/);
+    child.kill();
   });
 
   describe.skipIf(data === undefined)('of KITTI', () => {
