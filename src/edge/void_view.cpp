@@ -10,7 +10,9 @@ constexpr std::size_t kEvery = 3;  // points: five to ten of a ring lie in a sec
 constexpr int kFirst = 2;          // sectors of 2 degrees onward: the trace itself reaches into the first ones
 constexpr int kLast = 5;           // a beam that a puddle or a dark stone swallows leaves a narrower gap
 constexpr float kNearer_m = 0.1F;  // the lip comes nearer there, or the trace would still be on the road
-constexpr float kAround = 0.5F;    // sine between beam and trace: outward, the range of the sensor ends as a lip does
+constexpr float kEndless_m2 = 1e12F;
+constexpr float kHigh_m = 0.3F;  // what stands so high hides what is behind
+constexpr float kAround = 0.5F;  // sine between beam and trace: outward, the range of the sensor ends as a lip does
 
 }  // namespace
 
@@ -19,7 +21,8 @@ void VoidView::process(const Traces& traces, std::span<const float> height_m, fl
   for (std::size_t i = 0; i < height_m.size(); i += kEvery) {
     if (height_m[i] > -min_drop_m) {
       float& farthest2 = farthest2_[static_cast<std::size_t>(sectors_.of(traces.x[i], traces.y[i]))];
-      farthest2 = std::max(farthest2, traces.x[i] * traces.x[i] + traces.y[i] * traces.y[i]);
+      const float range2 = traces.x[i] * traces.x[i] + traces.y[i] * traces.y[i];
+      farthest2 = height_m[i] > kHigh_m ? kEndless_m2 : std::max(farthest2, range2);
     }
   }
 }

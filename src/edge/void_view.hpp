@@ -23,7 +23,7 @@ class VoidView {
   static constexpr std::size_t kSectors = bearing_grid::kSectors;
 
   bearing_grid::SectorTable sectors_;
-  std::array<float, kSectors> farthest2_{};  ///< squared range on the map; 0: nothing
+  std::array<float, kSectors> farthest2_{};  ///< squared range on the map; 0: nothing, 1e12: nobody sees
 };
 
 }  // namespace berm
