@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,8 +16,10 @@ namespace berm {
 namespace {
 
 constexpr std::size_t kMostCells = 100'000;
-/// Slopes are drawn this much steeper: a berm of a metre is to be seen beside a hill.
-constexpr double kExaggeration = 2.0;
+/// Brightness from which to which the picture goes: all but the darkest and the brightest 2 %, so that a slope that
+/// looks away from the lamp still shows what is on it; this much at least, so that level ground is not made of noise.
+constexpr double kCut = 0.02;
+constexpr double kLeastRange = 0.3;
 /// Towards the lamp: from the north-west, 45 degrees up, as maps have it. East, north, up.
 const Eigen::Vector3d kLamp(-0.5, 0.5, std::sqrt(0.5));
 
@@ -59,11 +62,11 @@ double rise_m(float before_m, float middle_m, float behind_m, double cell_m) {
   return (to_m - from_m) / (cell_m * (has_before && has_behind ? 2.0 : 1.0));
 }
 
-/// Lambert's law over the gradient.
-std::uint8_t shade_of(const HeightRaster& raster, std::size_t column, std::size_t row) {
+/// Lambert's law over the gradient: 0 to 1, NaN where the height is not known.
+double brightness_of(const HeightRaster& raster, std::size_t column, std::size_t row) {
   const float middle_m = raster.at(column, row);
   if (std::isnan(middle_m)) {
-    return 0;
+    return std::nan("");
   }
   const auto beside = [&](bool inside, std::size_t c, std::size_t r) {
     return inside ? raster.at(c, r) : std::nanf("");
@@ -72,8 +75,34 @@ std::uint8_t shade_of(const HeightRaster& raster, std::size_t column, std::size_
                              beside(column + 1 < raster.columns, column + 1, row), raster.cell_m);
   const double north =
       rise_m(beside(row > 0, column, row - 1), middle_m, beside(row + 1 < raster.rows, column, row + 1), raster.cell_m);
-  const Eigen::Vector3d normal = Eigen::Vector3d(-kExaggeration * east, -kExaggeration * north, 1.0).normalized();
-  return static_cast<std::uint8_t>(std::lround(1.0 + 254.0 * std::max(0.0, normal.dot(kLamp))));
+  return std::max(0.0, Eigen::Vector3d(-east, -north, 1.0).normalized().dot(kLamp));
+}
+
+/// The brightness that is drawn black and the one that is drawn white.
+std::pair<double, double> find_range(std::vector<double> known) {
+  const auto at = [&known](double share) {
+    const auto place = known.begin() + std::lround(share * static_cast<double>(known.size() - 1));
+    std::nth_element(known.begin(), place, known.end());
+    return *place;
+  };
+  const double dark = at(kCut);
+  const double bright = at(1.0 - kCut);
+  const double lacking = std::max(0.0, kLeastRange - (bright - dark));
+  return {dark - 0.5 * lacking, bright + 0.5 * lacking};
+}
+
+/// A byte for each brightness, 0 where it is not known.
+std::string to_bytes(const std::vector<double>& brightness) {
+  std::vector<double> known;
+  std::copy_if(brightness.begin(), brightness.end(), std::back_inserter(known),
+               [](double value) { return !std::isnan(value); });
+  const auto [dark, bright] = find_range(std::move(known));
+  std::string bytes;
+  for (const double value : brightness) {
+    const double share = std::clamp((value - dark) / (bright - dark), 0.0, 1.0);
+    bytes += std::isnan(value) ? '\0' : static_cast<char>(static_cast<std::uint8_t>(std::lround(1.0 + 254.0 * share)));
+  }
+  return bytes;
 }
 
 /// RFC 4648, section 4.
@@ -106,11 +135,12 @@ nlohmann::ordered_json terrain_part(const HeightRaster& raster, const Eigen::Vec
   }
   const HeightRaster joined = join_cells(raster, factor);
   std::optional<std::pair<float, float>> range_m;
-  std::string shade;
+  std::vector<double> brightness;
+  brightness.reserve(joined.heights_m.size());
   for (std::size_t row = joined.rows; row-- > 0;) {
     for (std::size_t column = 0; column < joined.columns; ++column) {
       const float height_m = joined.at(column, row);
-      shade += static_cast<char>(shade_of(joined, column, row));
+      brightness.push_back(brightness_of(joined, column, row));
       if (!std::isnan(height_m)) {
         const auto [low_m, high_m] = range_m.value_or(std::pair(height_m, height_m));
         range_m = std::pair(std::min(low_m, height_m), std::max(high_m, height_m));
@@ -127,7 +157,7 @@ nlohmann::ordered_json terrain_part(const HeightRaster& raster, const Eigen::Vec
           {"rows", joined.rows},
           {"low_m", terrain_cm(double{range_m->first} - origin_m.z())},
           {"high_m", terrain_cm(double{range_m->second} - origin_m.z())},
-          {"shade", to_base64(shade)}};
+          {"shade", to_base64(to_bytes(brightness))}};
 }
 
 }  // namespace berm

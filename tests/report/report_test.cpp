@@ -55,7 +55,7 @@ TEST_F(ReportTest, TakesTheGroundOfTheMap) {
   EXPECT_EQ(ground["x_m"], -10.0);
   EXPECT_EQ(ground["y_m"], -5.0);
   EXPECT_EQ(ground["low_m"], 2.0);
-  EXPECT_EQ(ground["shade"], "tQC1tQ==");  // 181, 0; 181, 181
+  EXPECT_EQ(ground["shade"], "gACAgA==");  // 128, 0; 128, 128
 }
 
 TEST_F(ReportTest, ABrokenRasterIsNamed) {

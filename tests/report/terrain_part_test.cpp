@@ -1,8 +1,10 @@
 #include "terrain_part.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -43,7 +45,7 @@ std::vector<std::uint8_t> bytes_of(const nlohmann::ordered_json& part) {
   return bytes;
 }
 
-TEST(TerrainPart, LevelGroundIsAsBrightAsTheHeightOfTheLamp) {
+TEST(TerrainPart, LevelGroundIsGrey) {
   const auto part = terrain_part(make_raster(3, 2, 0.5, [](double, double) { return 103.5; }), kTerrainOrigin_m);
   EXPECT_EQ(part["x_m"], 10.0);
   EXPECT_EQ(part["y_m"], 20.0);
@@ -51,29 +53,35 @@ TEST(TerrainPart, LevelGroundIsAsBrightAsTheHeightOfTheLamp) {
   EXPECT_EQ(part["rows"], 2);
   EXPECT_EQ(part["low_m"], 3.5);
   EXPECT_EQ(part["high_m"], 3.5);
-  EXPECT_EQ(bytes_of(part), std::vector<std::uint8_t>(6, 181));  // 1 + 254 sin 45
+  EXPECT_EQ(bytes_of(part), std::vector<std::uint8_t>(6, 128));
+}
+
+/// A plane of 41 cells a side, with a small hill (slopes of 0.1) in its middle.
+std::vector<std::uint8_t> shade_hill(double to_east, double to_north) {
+  const auto raster = make_raster(41, 41, 1.0, [&](double x_m, double y_m) {
+    const double hill_m = std::max(0.0, 1.0 - 0.1 * (std::abs(x_m - 20.0) + std::abs(y_m - 20.0)));
+    return hill_m + to_east * x_m + to_north * y_m;
+  });
+  return bytes_of(terrain_part(raster, kTerrainOrigin_m));
 }
 
 TEST(TerrainPart, WhatLooksToTheNorthWestIsBright) {
-  const auto shade_of = [](double to_east, double to_north) {
-    const auto raster = make_raster(5, 5, 1.0, [&](double x_m, double y_m) { return to_east * x_m + to_north * y_m; });
-    return bytes_of(terrain_part(raster, kTerrainOrigin_m)).at(12);
+  const auto at = [](const std::vector<std::uint8_t>& shade, int east, int north) {
+    return int{shade[static_cast<std::size_t>((20 - north) * 41 + 20 + east)]};
   };
-  const std::uint8_t level = shade_of(0.0, 0.0);
-  // A slope that falls to the west looks there; twice as steep as it is, 26.6 degrees are 45.
-  EXPECT_GT(shade_of(0.1, 0.0), level);
-  EXPECT_GT(shade_of(0.0, -0.1), level);
-  EXPECT_LT(shade_of(-0.1, 0.0), level);
-  EXPECT_LT(shade_of(0.0, 0.1), level);
-  EXPECT_EQ(shade_of(0.5 * std::sqrt(0.5), -0.5 * std::sqrt(0.5)), 255);
-  EXPECT_EQ(shade_of(-5.0, 5.0), 1);
+  // Level, and on slopes of 20 degrees that look to the lamp or away from it: the hill is seen on all of them.
+  for (const auto& [to_east, to_north] : {std::pair(0.0, 0.0), std::pair(0.25, -0.25), std::pair(-0.25, 0.25)}) {
+    const auto shade = shade_hill(to_east, to_north);
+    EXPECT_GT(at(shade, -3, 3), at(shade, 15, 15) + 15);
+    EXPECT_LT(at(shade, 3, -3), at(shade, 15, 15) - 15);
+  }
 }
 
 TEST(TerrainPart, TheFirstRowIsTheNorthernOneAndHolesStayOpen) {
   auto raster = make_raster(2, 2, 1.0, [](double, double) { return 0.0; });
   raster.heights_m[3] = std::nanf("");  // north-east
   const auto shade = bytes_of(terrain_part(raster, kTerrainOrigin_m));
-  EXPECT_EQ(shade, (std::vector<std::uint8_t>{181, 0, 181, 181}));
+  EXPECT_EQ(shade, (std::vector<std::uint8_t>{128, 0, 128, 128}));
 }
 
 TEST(TerrainPart, LargeRastersAreJoined) {

@@ -167,7 +167,7 @@ function planFigure(plan: Plan, originM: number[]): HTMLElement {
   const extent = extentOf(plan);
   const about = `${length(extent.width)} by ${length(extent.height)}, x of the world to the right, y up.`;
   const heights = ground
-    ? ` The ground is lit from the upper left, its slopes drawn twice as steep; it lies ${heightsOf(ground, path)} m above where the machine began.`
+    ? ` The ground is lit from the upper left; it lies ${heightsOf(ground, path)} m above where the machine began.`
     : '';
   const shade = ground ? shadePicture(ground) : '';
   const place = h('div', { class: 'plan', role: 'img', 'aria-label': `${title}: ${about}` });
