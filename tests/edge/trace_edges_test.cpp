@@ -107,14 +107,6 @@ TEST(TraceEdges, TakeNoPuddleForADrop) {
   }
 }
 
-TEST(TraceEdges, TakeNoShadowForADrop) {
-  // A wall beside the road hides all that is behind: rings end where its shadow begins, on a plain without edges.
-  const auto heights = [](double x, double y) { return x > 9.0 && x < 11.0 && y < 1.0 && y > -14.0 ? 6.0 : 0.0; };
-  for (const EdgePoint& edge : find_edges(test::scan_road(heights))) {
-    EXPECT_EQ(edge.kind, EdgeKind::rise) << edge.x_m << ' ' << edge.y_m;
-  }
-}
-
 TEST(TraceEdges, SeeTheEdgeAcrossTracesWhereTheyRunAlongIt) {
   // Beside the machine, rings of 15 m and 17 m run along a berm at 18 m: the next ones lie on its flank.
   const test::RoadScan scan = test::scan_road(test::road_between_berms(18.0, 2.0));
