@@ -19,6 +19,10 @@ constexpr std::size_t kStepsPerLookup = 2;
 constexpr double kGate = 3.0;
 constexpr double kFirstGate = 9.0;
 constexpr double kGateShrinks = 0.7;
+/// Beams that fan out into a crown end at random depths, in a plane that holds the beams: one of the sensor, which
+/// comes along with it. So planes that are seen edge on tell nothing, but for the ground. Sine of the angle between
+/// both.
+constexpr double kEdgeOn = 0.15;
 /// Smaller steps change nothing that a map could show.
 constexpr double kSmallStep_m = 1e-3;
 constexpr double kSmallStep_rad = 1e-4;
@@ -104,7 +108,12 @@ void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const Surfaces&
     }
     Pull pull{.share = sample.share, .base_m = sample.base_m, .mean_m = hit.mean_m};
     if (hit.cell->shape() == SurfaceShape::plane) {
-      pull.set_plane(hit.cell->normal().cast<double>(), noise_m2 + static_cast<double>(hit.cell->thickness_m2()));
+      const Eigen::Vector3d normal = hit.cell->normal().cast<double>();
+      if (!sample.is_ground &&
+          std::abs(normal.dot(steps.turned_to_world(sample.ray.cast<double>(), sample.share))) < kEdgeOn) {
+        continue;
+      }
+      pull.set_plane(normal, (noise_m2 + static_cast<double>(hit.cell->thickness_m2())) / hit.say);
     } else {
       pull.set_cloud(hit.cell->information_per_m2().cast<double>(), up);
     }

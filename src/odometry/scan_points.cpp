@@ -10,8 +10,20 @@ namespace {
 
 /// A scan has no use for more: the map needs a few points per voxel, and gets them from many scans.
 constexpr std::size_t kCandidates = 40'000;
+constexpr double kLongestPart_s = 0.15;
+constexpr double kMostParts = 10.0;
+
+/// Of the points' times, 0 where they are not to be used.
+double timed_duration_s(const OdometryInput& input, const SurfaceOdometryConfig& config) {
+  return config.deskew ? std::max(0.0, last_time_s(input.points.time)) : 0.0;
+}
 
 }  // namespace
+
+std::size_t count_parts(const OdometryInput& input, const SurfaceOdometryConfig& config) {
+  const double parts = std::ceil(timed_duration_s(input, config) / kLongestPart_s);
+  return static_cast<std::size_t>(std::clamp(parts, 1.0, kMostParts));
+}
 
 void limit_points(std::vector<ScanPoint>& points, std::size_t count) {
   if (points.size() <= count) {
@@ -62,19 +74,25 @@ void MetVoxels::grow() {
   }
 }
 
-void ScanThinner::process(const OdometryInput& input, const SurfaceOdometryConfig& config) {
+void ScanThinner::process(const OdometryInput& input, const SurfaceOdometryConfig& config, const ScanPart& part) {
   for_map_.clear();
   samples_.clear();
   met_.clear();
   met_coarse_.clear();
   const PointsView& points = input.points;
-  const double last_s = last_time_s(points.time);
-  const bool timed = config.deskew && last_s > 0.0;
-  duration_s_ = timed ? last_s : 0.0;
+  const double scan_s = timed_duration_s(input, config);
+  const auto parts = static_cast<double>(part.count);
+  duration_s_ = scan_s / parts;
   const double min_m2 = config.min_range_m * config.min_range_m;
   const double max_m2 = config.max_range_m * config.max_range_m;
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / kCandidates);
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / (kCandidates * part.count));
   for (std::size_t i = 0; i < points.size(); i += stride) {
+    const double scan_share = scan_s > 0.0 ? std::clamp(static_cast<double>(points.time[i]) / scan_s, 0.0, 1.0) : 0.0;
+    // Counted in parts. The last point of all belongs to the last part; a point whose time is NaN to none.
+    const double place = scan_share * parts - static_cast<double>(part.index);
+    if (!(place >= 0.0 && (place < 1.0 || part.index + 1 == part.count))) {
+      continue;
+    }
     const Eigen::Vector3d sensor_m(points.x[i], points.y[i], points.z[i]);
     const double range_m2 = sensor_m.squaredNorm();
     if (!is_scenery(input.labels[i]) || !(range_m2 > min_m2 && range_m2 < max_m2)) {
@@ -84,11 +102,8 @@ void ScanThinner::process(const OdometryInput& input, const SurfaceOdometryConfi
     if (!key || !met_.insert(*key)) {
       continue;
     }
-    const double share = timed ? std::clamp(static_cast<double>(points.time[i]) / last_s, 0.0, 1.0) : 0.0;
-    if (!(share >= 0.0)) {
-      continue;  // a point whose time is NaN
-    }
-    for_map_.push_back({input.T_base_sensor * sensor_m, share, input.labels[i] != Label::obstacle});
+    const Eigen::Vector3d ray = input.T_base_sensor.rotation() * (sensor_m / std::sqrt(range_m2));
+    for_map_.push_back({input.T_base_sensor * sensor_m, place, input.labels[i] != Label::obstacle, ray.cast<float>()});
     const auto coarse_key = voxel_key(sensor_m, config.sample_spacing_m);
     if (coarse_key && met_coarse_.insert(*coarse_key)) {
       samples_.push_back(for_map_.back());

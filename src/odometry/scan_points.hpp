@@ -11,13 +11,23 @@
 
 namespace berm {
 
-/// A point of a scan, and when it was taken: 0 at the stamp of the scan, 1 at its last point. Without times all are
-/// taken at the stamp.
+/// A point of a scan, and when it was taken: 0 at the stamp of the scan, 1 at its last point, or at begin and end of
+/// its part. Without times all are taken at the stamp.
 struct ScanPoint {
   Eigen::Vector3d base_m;  ///< frame base, at its time
   double share = 0.0;
   bool is_ground = false;
+  Eigen::Vector3f ray = Eigen::Vector3f::Zero();  ///< from the sensor to the point, length 1, frame base
 };
+
+/// A stretch of a scan's time, one of `count` equal ones.
+struct ScanPart {
+  std::size_t index = 0;
+  std::size_t count = 1;
+};
+
+/// Into how many parts a scan is cut so that the motion within each is a screw: a groomer heaves and pitches at 1 Hz.
+[[nodiscard]] std::size_t count_parts(const OdometryInput& input, const SurfaceOdometryConfig& config);
 
 /// Which voxels of a scan were met already. Keeps its memory.
 class MetVoxels {
@@ -42,14 +52,14 @@ class MetVoxels {
 /// keeps its share.
 void limit_points(std::vector<ScanPoint>& points, std::size_t count);
 
-/// Thins a scan evenly in space: what goes into the map, and what is matched.
+/// Thins a scan, or a part of it, evenly in space: what goes into the map, and what is matched.
 class ScanThinner {
  public:
-  void process(const OdometryInput& input, const SurfaceOdometryConfig& config);
+  void process(const OdometryInput& input, const SurfaceOdometryConfig& config, const ScanPart& part = {});
 
   [[nodiscard]] const std::vector<ScanPoint>& for_map() const { return for_map_; }
   [[nodiscard]] const std::vector<ScanPoint>& samples() const { return samples_; }
-  /// From the stamp of the scan to its last point; 0 where points have no times.
+  /// Of the part; of a whole scan from its stamp to its last point. 0 where points have no times.
   [[nodiscard]] double duration_s() const { return duration_s_; }
 
  private:

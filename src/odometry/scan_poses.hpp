@@ -27,6 +27,9 @@ class PoseSteps {
     const Step& step = steps_[static_cast<std::size_t>(share * kSteps + 0.5)];
     return step.R_world_base * base_m + step.translation_m;
   }
+  [[nodiscard]] Eigen::Vector3d turned_to_world(const Eigen::Vector3d& base, double share) const {
+    return steps_[static_cast<std::size_t>(share * kSteps + 0.5)].R_world_base * base;
+  }
   /// The z axis of the base in the middle of the scan.
   [[nodiscard]] Eigen::Vector3d up() const { return steps_[kSteps / 2].R_world_base.col(2); }
 

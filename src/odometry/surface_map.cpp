@@ -1,6 +1,12 @@
 #include "surface_map.hpp"
 
 namespace berm {
+namespace {
+
+/// The many points on a wide plane err together: a flat road, seen so, would bend as the rings come along.
+constexpr double kWideSay = 0.1;
+
+}  // namespace
 
 SurfaceMap::SurfaceMap(const SurfaceOdometryConfig& config)
     : use_shapes_(config.use_shapes),
@@ -27,7 +33,10 @@ SurfaceHit SurfaceMap::find(const Eigen::Vector3d& world_m, bool is_ground) cons
     return coarse;
   }
   const SurfaceHit wide = is_ground ? wide_.find(world_m) : SurfaceHit{};
-  return wide.cell != nullptr && wide.cell->shape() == SurfaceShape::plane ? wide : SurfaceHit{};
+  if (wide.cell != nullptr && wide.cell->shape() == SurfaceShape::plane) {
+    return {wide.cell, wide.mean_m, kWideSay};
+  }
+  return {};
 }
 
 void SurfaceMap::clear() {

@@ -16,7 +16,7 @@ namespace {
 /// Speeds that a start is tried with: half a metre a second off, and the map pulls the speed right. Faster machines
 /// are found by the one that is unsure, for what moves fast on roads is well seen.
 constexpr double kStartSpeeds_mps[] = {-1.5, -0.75, 0.0, 0.75, 1.5, 2.25, 3.0, 4.0, 6.0, 8.5, 12.0, 16.0};
-/// After so many scans, the best few are followed further.
+/// After so many scans, or parts of long ones, the best few are followed further.
 struct Round {
   std::size_t scans;
   std::ptrdiff_t kept;
@@ -41,12 +41,14 @@ struct SurfaceOdometry::State {
   std::vector<ScanPoint> few;        ///< samples while there are many tracks
   std::vector<ScanPoint> few_for_map;
   std::vector<Pose> revised;
+  std::vector<bool> begins_scan;  ///< of the parts since the start
   std::size_t since_start = 0;
   std::size_t session = 0;
   std::optional<Stamp> last_ns;
 
   void start(const Pose& T_world_base) {
     tracks.clear();
+    begins_scan.clear();
     since_start = 0;
     tracks.emplace_back(config, StartGuess{.speed_mps = 0.0, .is_sure = false}, T_world_base);
     if (config.find_start) {
@@ -109,9 +111,6 @@ struct SurfaceOdometry::State {
     ++since_start;
     sort_tracks(results);
     OdometryResult result = results.front();
-    const std::vector<Pose>& begins = tracks.front().begins();
-    revised.assign(begins.begin(), begins.end() - 1);
-    result.revised = revised;
     for (const Round& round : kRounds) {
       if (since_start == round.scans && std::ssize(tracks) > round.kept) {
         tracks.erase(tracks.begin() + round.kept, tracks.end());
@@ -129,7 +128,46 @@ struct SurfaceOdometry::State {
     track.forget_begins();
     return result;
   }
+
+  OdometryResult add_part(const OdometryInput& input, const ScanPart& part) {
+    scan.process(input, config, part);
+    const Stamp stamp_ns = input.stamp_ns + from_seconds(static_cast<double>(part.index) * scan.duration_s());
+    if (tracks.size() == 1) {
+      return add_to_one(stamp_ns);
+    }
+    begins_scan.push_back(part.index == 0);
+    const OdometryResult result = add_to_all(stamp_ns);
+    revise();
+    return result;
+  }
+
+  /// Where the scans since the start began, this one included, as the best track has it now.
+  void revise() {
+    revised.clear();
+    const std::vector<Pose>& begins = tracks.front().begins();
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+      if (begins_scan[i]) {
+        revised.push_back(begins[i]);
+      }
+    }
+  }
 };
+
+namespace {
+
+/// Takes the next part of a scan in.
+void append_part(OdometryResult& scan, const OdometryResult& part) {
+  scan.T_world_end = part.T_world_end;
+  scan.covariance = part.covariance;
+  scan.duration_s += part.duration_s;
+  scan.health = std::max(scan.health, part.health);
+  scan.weakest = std::min(scan.weakest, part.weakest);
+  scan.samples += part.samples;
+  scan.inliers += part.inliers;
+  scan.iterations += part.iterations;
+}
+
+}  // namespace
 
 SurfaceOdometry::SurfaceOdometry(const SurfaceOdometryConfig& config) {
   config.check();
@@ -147,8 +185,17 @@ OdometryResult SurfaceOdometry::process(const OdometryInput& input) {
     throw Error(ErrorCode::invalid_argument, "odometry: the stamp of a scan is not later than that of the one before");
   }
   state.last_ns = input.stamp_ns;
-  state.scan.process(input, state.config);
-  OdometryResult result = state.tracks.size() > 1 ? state.add_to_all(input.stamp_ns) : state.add_to_one(input.stamp_ns);
+  const bool is_starting = state.tracks.size() > 1;
+  const std::size_t parts = count_parts(input, state.config);
+  OdometryResult result = state.add_part(input, {0, parts});
+  for (std::size_t i = 1; i < parts; ++i) {
+    append_part(result, state.add_part(input, {i, parts}));
+  }
+  if (is_starting) {
+    result.T_world_begin = state.revised.back();
+    state.revised.pop_back();
+    result.revised = state.revised;
+  }
   result.session = state.session;
   if (state.tracks.front().lost_scans() >= kGiveUp) {
     state.start(result.T_world_end);

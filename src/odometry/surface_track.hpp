@@ -42,8 +42,6 @@ class SurfaceTrack {
   [[nodiscard]] Vector6d velocity_to(const ScanPoses& motion, double time_s) const;
   void put_into_map(std::span<const ScanPoint> points, const ScanPoses& motion);
   [[nodiscard]] bool fits(const ScanMatch& match) const;
-  /// Whether hardly anything but ground is seen.
-  [[nodiscard]] bool is_bare() const;
   [[nodiscard]] bool is_worth_mapping(const ScanPoses& motion) const;
 
   SurfaceOdometryConfig config_;

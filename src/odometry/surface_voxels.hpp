@@ -56,6 +56,7 @@ class SurfaceCell {
 struct SurfaceHit {
   const SurfaceCell* cell = nullptr;
   Eigen::Vector3d mean_m;
+  double say = 1.0;  ///< of a point on it, as a share of a point on a fine one
 };
 
 /// Cells of one size. They lie one behind the other: a hash of cells would move them whenever it grows.

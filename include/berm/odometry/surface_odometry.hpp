@@ -13,7 +13,7 @@ struct SurfaceOdometryConfig {
   double min_range_m = 1.0;
   double max_range_m = 80.0;
   double map_spacing_m = 0.12;
-  double sample_spacing_m = 0.35;
+  double sample_spacing_m = 0.2;
   double max_samples = 2500.0;
   double max_map_points = 8000.0;
   // The map.
@@ -22,13 +22,13 @@ struct SurfaceOdometryConfig {
   double wide_voxel_m = 4.5;
   double keep_m = 100.0;
   // How it is matched.
-  double noise_m = 0.03;
-  double points_per_fact = 20.0;
+  double noise_m = 0.02;
+  double points_per_fact = 8.0;
   bool use_shapes = true;
   bool deskew = true;
   bool find_start = true;
   // How the machine moves.
-  double acceleration_mps2 = 3.5;
+  double acceleration_mps2 = 6.0;
   double turn_acceleration_rps2 = 0.7;
 
   static void fields(auto&& field);
