@@ -12,8 +12,8 @@ namespace berm::test {
 namespace {
 
 constexpr double kFar_m = 60.0;
-constexpr double kScan_s = 0.1;
-constexpr int kColumns = 1200;
+constexpr double kTurn_s = 0.1;
+constexpr std::size_t kColumns = 1200;
 constexpr int kRings = 16;
 constexpr double kNoise_m = 0.02;
 
@@ -63,13 +63,15 @@ MadeMotion straight(double speed_mps, double heave_rad) {
   };
 }
 
-MadeScan::MadeScan(const MadePlace& place, const MadeMotion& motion, double begin_s) : stamp_ns(from_seconds(begin_s)) {
+MadeScan::MadeScan(const MadePlace& place, const MadeMotion& motion, double begin_s, std::size_t turns)
+    : stamp_ns(from_seconds(begin_s)) {
   std::mt19937 random(static_cast<unsigned>(stamp_ns / 1000 + 1));
   std::normal_distribution<double> noise_m(0.0, kNoise_m);
-  for (int column = 0; column < kColumns; ++column) {
-    const double time_s = kScan_s * column / kColumns;
+  for (std::size_t column = 0; column < turns * kColumns; ++column) {
+    const double turn = static_cast<double>(column) / static_cast<double>(kColumns);
+    const double time_s = kTurn_s * turn;
     const Pose T_world_sensor = motion(begin_s + time_s) * T_base_made_sensor();
-    const double azimuth_rad = 2.0 * std::numbers::pi * column / kColumns;
+    const double azimuth_rad = 2.0 * std::numbers::pi * turn;
     for (int ring = 0; ring < kRings; ++ring) {
       const double elevation_rad = (-15.0 + 2.0 * ring) * std::numbers::pi / 180.0;
       const Eigen::Vector3d direction(std::cos(elevation_rad) * std::cos(azimuth_rad),
@@ -112,10 +114,10 @@ OdometryInput MadeScan::input() const {
 }
 
 std::vector<Pose> follow(Odometry& odometry, const MadePlace& place, const MadeMotion& motion, std::size_t scans,
-                         const std::function<void(const OdometryResult&)>& look) {
+                         const std::function<void(const OdometryResult&)>& look, std::size_t turns) {
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < scans; ++i) {
-    const MadeScan scan(place, motion, kScan_s * static_cast<double>(i));
+    const MadeScan scan(place, motion, kTurn_s * static_cast<double>(turns * i), turns);
     const OdometryResult result = odometry.process(scan.input());
     std::copy(result.revised.begin(), result.revised.end(),
               poses.end() - static_cast<std::ptrdiff_t>(result.revised.size()));

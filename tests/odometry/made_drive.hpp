@@ -36,10 +36,11 @@ using MadeMotion = std::function<Pose(double)>;
 /// Forward at a speed from the origin on, heaving by `heave_rad` about the y axis once a second.
 [[nodiscard]] MadeMotion straight(double speed_mps, double heave_rad = 0.0);
 
-/// A scan as a sensor with 16 rings takes it in 0.1 s, 2 m above the base: range noise of 0.02 m, one sigma.
+/// A scan as a sensor with 16 rings takes it in `turns` turns of 0.1 s, 2 m above the base: range noise of 0.02 m, one
+/// sigma.
 class MadeScan {
  public:
-  MadeScan(const MadePlace& place, const MadeMotion& motion, double begin_s);
+  MadeScan(const MadePlace& place, const MadeMotion& motion, double begin_s, std::size_t turns = 1);
   [[nodiscard]] OdometryInput input() const;
 
   PointChannels channels;
@@ -51,9 +52,10 @@ class MadeScan {
             double noise_m);
 };
 
-/// Where a drive of `scans` scans, 10 a second, was at the stamps of its scans according to `odometry`, revisions
-/// included; `look` sees every result.
+/// Where a drive of `scans` scans, one after the other, was at the stamps of its scans according to `odometry`,
+/// revisions included; `look` sees every result.
 [[nodiscard]] std::vector<Pose> follow(Odometry& odometry, const MadePlace& place, const MadeMotion& motion,
-                                       std::size_t scans, const std::function<void(const OdometryResult&)>& look = {});
+                                       std::size_t scans, const std::function<void(const OdometryResult&)>& look = {},
+                                       std::size_t turns = 1);
 
 }  // namespace berm::test

@@ -1,5 +1,6 @@
 #include "scan_points.hpp"
 
+#include <limits>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -56,6 +57,40 @@ TEST(ScanThinner, KeepsTheLimitsAndEveryPartOfTheView) {
     widest_gap = std::max(widest_gap, thinner.samples()[i].share - thinner.samples()[i - 1].share);
   }
   EXPECT_LT(widest_gap, 0.1);
+}
+
+TEST(ScanThinner, PartsTakeEveryPointOnceWithItsTimeInThem) {
+  test::MadeScan scan(test::made_yard(), test::straight(1.0), 0.0, 5);
+  const SurfaceOdometryConfig config{.map_spacing_m = 0.02, .max_map_points = 100'000.0};
+  const std::size_t parts = count_parts(scan.input(), config);
+  EXPECT_EQ(parts, 4U) << "of 0.15 s at most";
+  scan.channels.time[7] = std::numeric_limits<float>::quiet_NaN();
+  ScanThinner thinner;
+  thinner.process(scan.input(), config);
+  const std::size_t whole = thinner.for_map().size();
+  std::size_t in_parts = 0;
+  for (std::size_t i = 0; i < parts; ++i) {
+    thinner.process(scan.input(), config, {i, parts});
+    EXPECT_NEAR(thinner.duration_s(), 0.125, 1e-3);
+    in_parts += thinner.for_map().size();
+    for (const ScanPoint& point : thinner.for_map()) {
+      EXPECT_GE(point.share, 0.0);
+      EXPECT_LE(point.share, 1.0);
+      EXPECT_NEAR(point.ray.norm(), 1.0F, 1e-5F);
+    }
+    EXPECT_LT(thinner.for_map().front().share, 0.05);
+    EXPECT_GT(thinner.for_map().back().share, 0.95);
+  }
+  // Each part is thinned by itself, so that a voxel may give a point to several; whole, every other point is looked at.
+  EXPECT_GE(in_parts, whole);
+}
+
+TEST(ScanThinner, AScanOfATurnOrWithoutTimesIsOnePart) {
+  test::MadeScan scan(test::made_yard(), test::straight(1.0), 0.0);
+  EXPECT_EQ(count_parts(scan.input(), {}), 1U);
+  EXPECT_EQ(count_parts(scan.input(), {.deskew = false}), 1U);
+  scan.channels.time.clear();
+  EXPECT_EQ(count_parts(scan.input(), {}), 1U);
 }
 
 }  // namespace

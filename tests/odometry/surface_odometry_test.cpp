@@ -15,8 +15,9 @@ using test::made_yard;
 using test::straight;
 
 /// Largest distance between poses and the motion at the stamps of the scans, as seen from the pose of scan `from`.
-double worst_m(const std::vector<Pose>& poses, const test::MadeMotion& motion, std::size_t from = 0) {
-  const auto truth_at = [&motion](std::size_t i) { return motion(0.1 * static_cast<double>(i)); };
+double worst_m(const std::vector<Pose>& poses, const test::MadeMotion& motion, std::size_t from = 0,
+               double scan_s = 0.1) {
+  const auto truth_at = [&](std::size_t i) { return motion(scan_s * static_cast<double>(i)); };
   double worst = 0.0;
   for (std::size_t i = from; i < poses.size(); ++i) {
     const Pose truth = truth_at(from).inverse() * truth_at(i);
@@ -50,6 +51,18 @@ TEST(SurfaceOdometry, FollowsABodyThatHeaves) {
     const Pose estimate = poses[20].inverse() * poses[i];
     EXPECT_LT(estimate.rotation().angularDistance(truth.rotation()), 0.005) << "scan " << i;
   }
+}
+
+// Two scans a second: the body heaves half way up and down within each, which no single screw does.
+TEST(SurfaceOdometry, FollowsLongScansInParts) {
+  constexpr std::size_t kTurns = 5;
+  SurfaceOdometry odometry({});
+  const auto motion = straight(1.5, 0.02);
+  double duration_s = 0.0;
+  const std::vector<Pose> poses = follow(
+      odometry, made_yard(), motion, 16, [&](const OdometryResult& result) { duration_s = result.duration_s; }, kTurns);
+  EXPECT_LT(worst_m(poses, motion, 0, 0.5), 0.1) << "over 11 m";
+  EXPECT_NEAR(duration_s, 0.5, 1e-3);
 }
 
 TEST(SurfaceOdometry, DeskewIsWorthSomethingInATurn) {
