@@ -62,6 +62,8 @@ std::vector<OdometryRun> odometry_runs(std::uint64_t seed_offset) {
               with(dense, {"route.bend_deg=100", "route.min_gradient_deg=10"})),
       groomer("night storm", "groomer_night_storm", 310, {}),
       groomer("forks", "groomer_forks", 311, {}),
+      groomer("clear, 5 m/s", "groomer_clear", 313, {"vehicle.speed_m_per_s=5"}),
+      groomer("5 % flakes, stops", "groomer_snowfall", 314, {"vehicle.stop_every_s=10"}),
       groomer("bare slope", "groomer_clear", 312,
               with(nothing_beside(), {"piste.bank_share=0", "piste.forks=0", "piste.min_width_m=60",
                                       "piste.max_width_m=80", "route.min_radius_m=100"})),

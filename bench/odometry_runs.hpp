@@ -15,7 +15,7 @@ struct OdometryRun {
 };
 
 /// Drives of 50 m and more: pistes from flat to 34 degrees in clear air and snowfall, with little and with much beside
-/// them, a bare slope, mine roads and a flat road; another seed each.
+/// them, one driven fast, one with stops, a bare slope, mine roads and a flat road; another seed each.
 [[nodiscard]] std::vector<OdometryRun> odometry_runs(std::uint64_t seed_offset);
 
 }  // namespace berm::bench
