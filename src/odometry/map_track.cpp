@@ -123,7 +123,7 @@ MapSighting MapTrack::begin(std::span<const ScanPoint> samples, const Surfaces& 
   prior.expected.T_world_end = motion.is_trusted ? motion_.T_world_begin * motion.T_begin_end : motion_.T_world_begin;
   const double changes_s2 = motion.duration_s * (motion.is_trusted ? 1.0 : kMapUnknownSpeed) * motion.duration_s;
   prior.displacement_sigma = motion_sigmas(kMapRigid + kMapAcceleration_mps2 * changes_s2,
-                                         kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
+                                           kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
   prior.begin_sigma = motion_sigmas(kMapStart_m, kMapStart_rad);
   SurfaceOdometryConfig rough = matching_;
   rough.noise_m = kRoughNoise_m;
@@ -139,10 +139,10 @@ MapSighting MapTrack::follow(std::span<const ScanPoint> samples, const Surfaces&
   const double acceleration_mps2 = kMapAcceleration_mps2 * unknown;
   const double gap_s2 = motion.is_trusted ? 0.0 : motion.gap_s * motion.gap_s;
   const double changes_s2 = motion.duration_s * std::max(motion.duration_s, kLeastMapScan_s);
-  prior.begin_sigma =
-      motion_sigmas(kMapDrift_m + acceleration_mps2 * gap_s2, kMapDrift_rad + matching_.turn_acceleration_rps2 * gap_s2);
+  prior.begin_sigma = motion_sigmas(kMapDrift_m + acceleration_mps2 * gap_s2,
+                                    kMapDrift_rad + matching_.turn_acceleration_rps2 * gap_s2);
   prior.displacement_sigma = motion_sigmas(kMapRigid + acceleration_mps2 * changes_s2,
-                                         kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
+                                           kMapRigid + matching_.turn_acceleration_rps2 * changes_s2);
   return match(samples, map, prior);
 }
 
