@@ -156,6 +156,18 @@ TEST(Closures, FalseOnesDoNotBendThePath) {
   }
 }
 
+TEST(Closures, WithoutFixesTheFirstNodeIsHeldAndTheNextIsAsSureAsItsLink) {
+  const auto odometry = test::MadeDrive{.seconds = 60.0}.odometry();
+  const std::vector<Closure> closures = {{0, odometry.size() - 1, odometry.back().T_odom_base, Matrix6d::Identity()}};
+  const PoseGraphConfig config;
+  const PoseGraphResult result = solve_pose_graph(odometry, {}, closures, config);
+  ASSERT_GT(result.nodes.size(), 2U);
+  EXPECT_LT(result.nodes[0].covariance.diagonal().maxCoeff(), 1e-10);
+  const double way_m = result.trajectory.poses()[result.nodes[1].step].T_world_base.translation_m().norm();
+  const double expected_m2 = config.drift_m_per_sqrt_m * config.drift_m_per_sqrt_m * way_m;
+  EXPECT_NEAR(result.nodes[1].covariance(0, 0), expected_m2, 0.2 * expected_m2);
+}
+
 TEST(Closures, TrueOnesSurviveFalseOnes) {
   // There and back on a circle: the second lap is the first.
   const test::MadeDrive drive{.seconds = 200.0};

@@ -159,9 +159,11 @@ class Graph {
     constexpr double kFixed = 1e12;
     ChainInformation chain(states_.size());
     for (std::size_t i = 0; i < links_.size(); ++i) {
-      Eigen::Matrix<double, 6, 6, Eigen::RowMajor> by_a;
+      // Ceres gives no derivative by a node that is held, and none at all if it is asked for that one.
+      const bool is_held = problem_.IsParameterBlockConstant(states_[i].step.data());
+      Eigen::Matrix<double, 6, 6, Eigen::RowMajor> by_a = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>::Zero();
       Eigen::Matrix<double, 6, 6, Eigen::RowMajor> by_b;
-      double* jacobians[] = {by_a.data(), by_b.data()};
+      double* jacobians[] = {is_held ? nullptr : by_a.data(), by_b.data()};
       problem_.EvaluateResidualBlock(links_[i], false, nullptr, nullptr, jacobians);
       chain.add_link(i, by_a, by_b);
     }
