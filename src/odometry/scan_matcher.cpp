@@ -23,6 +23,9 @@ constexpr double kGateShrinks = 0.7;
 /// comes along with it. So planes that are seen edge on tell nothing, but for the ground. Sine of the angle between
 /// both.
 constexpr double kEdgeOn = 0.15;
+/// Points along a ring err together, and the next scan draws the ring anew: the pitch that it tells wanders, and the
+/// road in the map bends with it. The say of a point as a share of one that is scattered.
+constexpr double kRingSay = 0.2;
 /// Smaller steps change nothing that a map could show.
 constexpr double kSmallStep_m = 1e-3;
 constexpr double kSmallStep_rad = 1e-4;
@@ -106,6 +109,7 @@ void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const Surfaces&
     if (hit.cell == nullptr) {
       continue;
     }
+    const double say = hit.say * (sample.is_on_ring ? kRingSay : 1.0);
     Pull pull{.share = sample.share, .base_m = sample.base_m, .mean_m = hit.mean_m};
     if (hit.cell->shape() == SurfaceShape::plane) {
       const Eigen::Vector3d normal = hit.cell->normal().cast<double>();
@@ -113,9 +117,9 @@ void ScanMatcher::find_pulls(std::span<const ScanPoint> samples, const Surfaces&
           std::abs(normal.dot(steps.turned_to_world(sample.ray.cast<double>(), sample.share))) < kEdgeOn) {
         continue;
       }
-      pull.set_plane(normal, (noise_m2 + static_cast<double>(hit.cell->thickness_m2())) / hit.say);
+      pull.set_plane(normal, (noise_m2 + static_cast<double>(hit.cell->thickness_m2())) / say);
     } else {
-      pull.set_cloud(hit.cell->information_per_m2().cast<double>(), up);
+      pull.set_cloud(say * hit.cell->information_per_m2().cast<double>(), up);
     }
     pulls_.push_back(pull);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "scenery.hpp"
 
@@ -12,6 +14,13 @@ namespace {
 constexpr std::size_t kCandidates = 40'000;
 constexpr double kLongestPart_s = 0.15;
 constexpr double kMostParts = 10.0;
+
+/// Sensors that turn have this many rings and more; the few lines of others cross.
+constexpr std::uint16_t kFewestRings = 8;
+
+bool draws_rings(std::span<const std::uint16_t> rings) {
+  return std::any_of(rings.begin(), rings.end(), [](std::uint16_t ring) { return ring + 1 >= kFewestRings; });
+}
 
 /// Of the points' times, 0 where they are not to be used.
 double timed_duration_s(const OdometryInput& input, const SurfaceOdometryConfig& config) {
@@ -85,6 +94,7 @@ void ScanThinner::process(const OdometryInput& input, const SurfaceOdometryConfi
   duration_s_ = scan_s / parts;
   const double min_m2 = config.min_range_m * config.min_range_m;
   const double max_m2 = config.max_range_m * config.max_range_m;
+  const bool is_on_ring = draws_rings(points.ring);
   const std::size_t stride = std::max<std::size_t>(1, points.size() / (kCandidates * part.count));
   for (std::size_t i = 0; i < points.size(); i += stride) {
     const double scan_share = scan_s > 0.0 ? std::clamp(static_cast<double>(points.time[i]) / scan_s, 0.0, 1.0) : 0.0;
@@ -103,7 +113,11 @@ void ScanThinner::process(const OdometryInput& input, const SurfaceOdometryConfi
       continue;
     }
     const Eigen::Vector3d ray = input.T_base_sensor.rotation() * (sensor_m / std::sqrt(range_m2));
-    for_map_.push_back({input.T_base_sensor * sensor_m, place, input.labels[i] != Label::obstacle, ray.cast<float>()});
+    for_map_.push_back({.base_m = input.T_base_sensor * sensor_m,
+                        .share = place,
+                        .is_ground = input.labels[i] != Label::obstacle,
+                        .is_on_ring = is_on_ring,
+                        .ray = ray.cast<float>()});
     const auto coarse_key = voxel_key(sensor_m, config.sample_spacing_m);
     if (coarse_key && met_coarse_.insert(*coarse_key)) {
       samples_.push_back(for_map_.back());

@@ -17,6 +17,7 @@ struct ScanPoint {
   Eigen::Vector3d base_m;  ///< frame base, at its time
   double share = 0.0;
   bool is_ground = false;
+  bool is_on_ring = false;                        ///< of a sensor that turns
   Eigen::Vector3f ray = Eigen::Vector3f::Zero();  ///< from the sensor to the point, length 1, frame base
 };
 
