@@ -19,11 +19,12 @@ constexpr std::size_t kUnknownScans = 4;
 /// A scan shorter than this, of a sensor with 20 Hz, leaves the machine as much time to change its motion: jolts last
 /// about so long, and what they change adds up from scan to scan.
 constexpr double kLeastDuration_s = 0.095;
-/// Below this share of what is known, the motion before decides. On bare slopes 75 to 100 % of the scans bring less,
-/// where things stand beside the piste next to none.
+/// Below this share of what is known, the motion before decides. On bare slopes nearly all scans bring less, where
+/// things stand beside the piste at most 5 % (docs/odometry_table.md).
 constexpr double kWeak = 0.33;
 /// Of the samples where a full map has a surface, 97 % and more lie on it wherever a drive was followed, 99 % mostly.
-/// With fewer than this the machine is elsewhere: set down on another piste, it had 13 to 64 %.
+/// With fewer than this the machine is elsewhere: so it was found on seven pistes of seven that another was joined to
+/// (docs/odometry_long.md).
 constexpr double kLeastFitting = 0.85;
 /// A lost machine comes back with what is usual. Less may be chance: the ground elsewhere is ground as well, and the
 /// longer the lost machine is thought to move on, the less of the map is there to object.
